@@ -167,7 +167,7 @@ def grow_hair(
     reach_mm = rim_of(mattes.values())
     fitted = views if reach_mm is None else with_cores(views, mattes)
     settled = settle_shell(fitted, skin, *mesh, FILM_MM)
-    used, triangles, inside_mm = shown_part(views, settled, mesh[1])
+    used, triangles, inside_mm = shown_part(views, settled, mesh[1], scalp)
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     vertices = settled[used]

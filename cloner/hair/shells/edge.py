@@ -11,7 +11,7 @@ from cloner.geometry.cameras.seeing import depth_at, nearest_of
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.cap import VOTE_MM, hairline_mm
+from cloner.hair.volumes.cap import SOFT_MM, VOTE_MM, Scalp, hairline_mm, surface_mm
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
@@ -20,19 +20,25 @@ SEEN_COSINE = 0.15  # surfaces turned farther away are seen too narrowly
 SEEN_SLACK_M = 0.012  # a head a little off its photo hides its own hair
 SHARPNESS = 2  # weights are (claim x cosine)**2
 UNSEEN_STIFFNESS = 0.02  # of the hairline between what photos see
-UNSEEN_TRUST = 0.02  # of what no photo sees, that it is hair: an edge goes on for some vertices, not around a head
+UNSEEN_TRUST = 0.02  # in what no photo sees: an edge goes on for some vertices, not around a head
+FILM_SKIN_MM = 4.0  # nearer to the skin lies the film that goes on beyond the hairline
 STRAND_MM = 1.5  # dark strands reach this much farther out than light gaps
 STRAND_TEXELS = 4.0  # width of what counts as one strand's surroundings
 LIGHTEST_LEVELS = 6.0  # differences below this are noise
 
 
 def inside_hairline_mm(
-    views: list[HairView], claims: list[float], vertices_m: Array, triangles: NDArray[np.int32]
+    views: list[HairView],
+    claims: list[float],
+    vertices_m: Array,
+    triangles: NDArray[np.int32],
+    unseen_mm: Array | float = VOTE_MM,
 ) -> Array:
     """Return (N,) how far a shell's points lie inside the hair that the photos show, mm, at most VOTE_MM.
 
     Labels are read where the photo sees the hair's surface, not the skin below: what a photo shows as
-    face stays clear through its own camera, however thick the hair. Photos that disagree are averaged.
+    face stays clear through its own camera, however thick the hair. Photos that disagree are averaged. What none sees
+    is as far inside as ``unseen_mm`` (N,) says.
     """
     normals = vertex_normals(vertices_m, triangles)
     total, drive = np.zeros(len(vertices_m)), np.zeros(len(vertices_m))
@@ -48,9 +54,18 @@ def inside_hairline_mm(
         drive += weight * hairline_mm(view, vertices_m)
         total += weight
     graph = surface_graph(vertices_m, triangles)
-    mean = np.where(total > 0.0, drive / np.maximum(total, 1e-9), VOTE_MM)
+    mean = np.where(total > 0.0, drive / np.maximum(total, 1e-9), unseen_mm)
     trust = np.where(total > 0.0, np.clip(total, 0.0, 1.0), UNSEEN_TRUST)
     return np.asarray(graph.fill(mean[:, None], trust, UNSEEN_STIFFNESS)[:, 0])
+
+
+def unseen_inside_mm(scalp: Scalp, vertices_m: Array) -> Array:
+    """Return (N,) how far inside the hair a shell's points lie by what the skin below grows, mm: on the skin as far as
+    there, what stands off it all.
+    """
+    away_mm, rows, weight = surface_mm(scalp.points_m, scalp.normals, vertices_m)
+    hairy = (weight * scalp.hairy[rows]).sum(axis=1)
+    return np.where(away_mm < FILM_SKIN_MM, (hairy - 0.5) * SOFT_MM, VOTE_MM)
 
 
 def soften_edge(rgba: NDArray[np.uint8], atlas: AtlasMap, inside_mm: NDArray[np.floating]) -> NDArray[np.uint8]:

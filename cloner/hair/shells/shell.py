@@ -15,8 +15,9 @@ from cloner.geometry.charts.atlas import map_atlas
 from cloner.geometry.charts.unwrapping import unwrap
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.triangles import areas
-from cloner.hair.shells.edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
+from cloner.hair.shells.edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge, unseen_inside_mm
 from cloner.hair.shells.shell_paint import ShellView, paint_shell
+from cloner.hair.volumes.cap import VOTE_MM, Scalp
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -38,10 +39,15 @@ EDGE_TEXELS: Final = 2  # colours go on so far beyond a part's charts, for what 
 
 
 def shown_part(
-    views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32]
+    views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32], scalp: Scalp | None = None
 ) -> tuple[NDArray[np.int32], NDArray[np.int32], Array]:
-    """Return which vertices (M,) photos show as hair, triangles of those, and how far inside its edge they lie, mm."""
-    inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
+    """Return which vertices (M,) photos show as hair, triangles of those, and how far inside its edge they lie, mm.
+
+    What no photo sees is where the ``scalp`` grows hair; all of it without one.
+    """
+    claims = [CLAIM[v.posed.view] for v in views]
+    unseen_mm = VOTE_MM if scalp is None else unseen_inside_mm(scalp, vertices_m)
+    inside_mm = inside_hairline_mm(views, claims, vertices_m, triangles, unseen_mm)
     shown = triangles[(inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)]
     used, places = np.unique(without_scraps(vertices_m, shown), return_inverse=True)
     return used.astype(np.int32), places.reshape(-1, 3).astype(np.int32), inside_mm[used]

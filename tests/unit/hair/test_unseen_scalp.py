@@ -9,7 +9,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.cap import VOTE_MM, _with_unseen
+from cloner.hair.shells.edge import FADE_MM, unseen_inside_mm
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen
 
 GENERIC = load_generic()
 POINTS = GENERIC.vertices_m.astype(np.float64)
@@ -48,3 +49,16 @@ def test_what_photos_show_stays_as_they_show_it(graph):
     assert np.array_equal(_with_unseen(graph, SCALP, line, SHOWN, HIGH)[SHOWN], line[SHOWN])
     seen = np.ones(len(POINTS), bool)
     assert _with_unseen(graph, SCALP, line, seen, HIGH) is line
+
+
+def test_the_film_beyond_an_unseen_hairline_fades_and_a_fall_of_hair_before_it_does_not():
+    hairy = SCALP.astype(float)
+    none = np.zeros((1, len(POINTS)))
+    normals = vertex_normals(POINTS, body_triangles())
+    scalp = Scalp(POINTS, normals, body_triangles(), none, hairy, hairy, 10.0 * hairy)
+    crown, nape = GENERIC.feature("vertex_top"), GENERIC.feature("nape")
+    film, fall = (POINTS[[crown, nape]] + away_m * normals[[crown, nape]] for away_m in (0.002, 0.02))
+    on_crown, on_nape = unseen_inside_mm(scalp, film)
+    assert on_crown > FADE_MM[1]
+    assert on_nape < FADE_MM[0]
+    assert (unseen_inside_mm(scalp, fall) == VOTE_MM).all()
