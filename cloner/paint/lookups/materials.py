@@ -106,8 +106,12 @@ def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating]) -> NDArray[
 
 
 def shows_garment(source: Source, lookup_px: NDArray[np.floating]) -> NDArray[np.bool_]:
-    """Return which of (N,) lookups land on a garment: a collar beside the jaw is not the face's."""
-    return np.isin(labels_at(source.plate.labels, lookup_px), GARMENTS)
+    """Return which of (N,) lookups land on a garment: a collar beside the jaw is not the face's.
+
+    In a photo that is said to show no skin at all a face was taken for cloth.
+    """
+    worn = np.isin(labels_at(source.plate.labels, lookup_px), GARMENTS)
+    return worn & bool(source.plate.bare.any())
 
 
 def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:

@@ -13,7 +13,7 @@ from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
 from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
 from cloner.paint.lookups.materials import Materials, goes_on, with_surroundings
-from cloner.records.labels import SURFACES, Label
+from cloner.records.labels import SKINS, SURFACES, Label
 
 GENERIC = load_generic()
 COUNT = len(GENERIC.vertices_m)
@@ -42,6 +42,7 @@ class Photo:
             brows=self.brows,
             skin=np.full((1, COUNT), self.skin, np.uint8),
             labels=np.full((1, COUNT), self.labels, np.uint8),
+            bare=np.isin(np.full((1, COUNT), self.labels, np.uint8), SKINS),
         )
 
     @property
@@ -175,6 +176,10 @@ def test_a_garment_that_a_photo_shows_at_the_face_is_not_the_face():
     labels = np.where(chin, Label.UPPER_CLOTHES, Label.FACE_SKIN)
     (found,) = doubt_strangers(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=labels)], bare())
     assert not found.score[chin].any()
+    (lost,) = doubt_strangers(
+        GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=int(Label.UPPER_CLOTHES))], bare()
+    )
+    assert np.array_equal(lost.score[GENERIC.region("face")], angles[GENERIC.region("face")])  # no face was told at all
     worn = np.where(chin, Label.ACCESSORY, Label.FACE_SKIN)  # glasses stay: nothing else would be left of them
     (kept,) = doubt_strangers(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=worn)], bare())
     assert np.array_equal(kept.score, angles)
