@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import m_from_mm
+from cloner.frames import m_from_mm, mm_from_m
 from cloner.hair.volumes.cap import Scalp
 from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.views import FAR_MM, HairView
@@ -14,6 +14,8 @@ from cloner.records.arrays import Array
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
 DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
 DRAPE_DOUBT_MM = 4.0  # without it a ponytail had a skirt of 5 cm, a cap a peak of hair behind
+BESIDE_MM = 35.0  # taste: and so far before and behind the head's middle where it stands off beside head and neck
+FALLS_FROM_MM = 90.0  # taste: from no higher over the ears' middle, lower where it stands off: no horns on a cap
 BELOW_EARS_MM = 10.0  # taste: hair that goes on so far below the ears' middle hangs
 
 
@@ -35,7 +37,8 @@ def hanging_mm(
     """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
 
     Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin. If
-    no photo shows the head from aside only what goes on below the ears hangs: a flap would stand before the temples.
+    no photo shows the head from aside only what goes on below the ears hangs, a flap would stand before the temples; it
+    falls beside the head's middle, however wide.
 
     Parameters
     ----------
@@ -54,7 +57,9 @@ def hanging_mm(
     thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
     if not seen_aside(views):
         below = np.minimum(points_m[rows], (np.inf, low_m - m_from_mm(BELOW_EARS_MM), np.inf))
-        thin = np.where(agreed_mm(views, below, deep_m)[0] > 0.0, thin, np.float32(-FAR_MM))
+        beside = BESIDE_MM - mm_from_m(1.0) * np.abs(points_m[rows, 2] - 0.5 * (deep_m[0] + deep_m[1]))
+        beside = np.minimum(beside, FALLS_FROM_MM - mm_from_m(1.0) * (points_m[rows, 1] - low_m) - skin_mm[rows])
+        thin = np.where(agreed_mm(views, below, deep_m)[0] > 0.0, np.maximum(thin, beside), np.float32(-FAR_MM))
     # Hair that hangs free and is thinner than the labels' doubt is none.
     field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
     return field

@@ -174,3 +174,13 @@ def test_hair_stands_out_over_its_line_only_where_a_photo_from_aside_ends_it():
     front, aside = _slab(ViewId.FACE_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 1, 100.0)
     assert overhang_mm([front, aside], head, above).max() > 0.0
     assert overhang_mm([front], head, above).max() < 0.0
+
+
+def test_long_hair_of_a_front_photo_alone_falls_beside_the_head_s_middle_however_wide_it_stands_off():
+    """Wide curtains of hair had holes beside the ears: on the skin they drape 25 mm thick and no more."""
+    front, wide_m = _slab(ViewId.FACE_FRONT, 0, 150.0), np.array([[0.12, 1.62, 0.0], [0.12, 1.62, 0.08]])
+    ears_m, off_mm = 1.6, np.array([40.0, 40.0], np.float32)
+    beside, before = hanging_mm([front], wide_m, off_mm, DEEP, ears_m)
+    assert beside > 0.0 > before
+    high = wide_m + (0.0, 0.1, 0.0)
+    assert (hanging_mm([front], high, off_mm, DEEP, ears_m) < 0.0).all()  # there it would stand as horns
