@@ -15,7 +15,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.triangles import areas
-from cloner.paint.lookups.materials import always_bare
+from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
@@ -102,7 +102,7 @@ def _skin_coloured(generic: GenericHuman, clone: Clone, bare: Flags) -> Flags:
 def _whole(generic: GenericHuman, clone: Clone, graph: SurfaceGraph, bare: Flags) -> Flags:
     """Return bare skin without islands: what hangs together with head or hands, and large patches of limbs."""
     rows = np.flatnonzero(bare)
-    count, piece = connected_components(graph.lengths[rows][:, rows], directed=False)
+    count, piece = connected_components(graph.part(rows).lengths, directed=False)
     triangles, _ = generic.triangles()
     own = np.bincount(triangles.ravel(), np.repeat(areas(clone.vertices_m, triangles) / 3.0, 3), len(bare))
     size = np.bincount(piece, own[rows], count)

@@ -236,7 +236,6 @@ def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> 
     triangles = body_triangles()
     normals = vertex_normals(joined.vertices_m, triangles)
     graph = surface_graph(joined.vertices_m, triangles)
-    lengths = graph.lengths[rows][:, rows]
     place = np.full(len(joined.vertices_m), -1, np.int32)
     place[rows] = np.arange(len(rows), dtype=np.int32)
     own = place[triangles]
@@ -244,7 +243,7 @@ def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> 
     points, scalp = joined.vertices_m[rows], generic.region("scalp")[rows]
     ears = generic.region("ear_left")[rows] | generic.region("ear_right")[rows]
     tail = find_tail(views, points, own, middle_of(generic, joined))
-    return measure_scalp(views, points, normals[rows], own, type(graph)(lengths), scalp, ears, tail)
+    return measure_scalp(views, points, normals[rows], own, graph.part(rows), scalp, ears, tail)
 
 
 def skin_of(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array, Array]:

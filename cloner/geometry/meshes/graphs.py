@@ -20,6 +20,10 @@ class SurfaceGraph:
 
     lengths: csr_matrix
 
+    def part(self, rows: NDArray[np.integer]) -> SurfaceGraph:
+        """Return the graph of some vertices (N,) alone, in their order."""
+        return SurfaceGraph(self.lengths[rows][:, rows])
+
     def distance_from(self, sources: NDArray[np.bool_], limit_m: float) -> Array:
         """Return each vertex's distance along edges to the nearest source, metres, at most ``limit_m``."""
         rows = np.flatnonzero(sources)

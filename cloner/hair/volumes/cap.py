@@ -134,12 +134,13 @@ def _with_unseen(
     rows = np.flatnonzero(scalp)
     if shown[rows].all() or not shown[rows].any():
         return line_mm
-    nearest = rows[type(graph)(graph.lengths[rows][:, rows]).nearest(shown[rows])]
-    beside, unseen = np.unique(nearest[~shown[rows]]), rows[~shown[rows]]
+    unseen = rows[~shown[rows]]
+    nearest = rows[graph.part(rows).nearest(shown[rows])][~shown[rows]]
+    beside = np.unique(nearest)
     if (line_mm[beside] > 0.0).mean() < HAIR_BESIDE or not high[beside].any():
         return line_mm
     bare = line_mm < -BARE_MM
-    bald = bare[nearest[~shown[rows]]] & high[unseen] & (bare[beside[high[beside]]].mean() > 0.5)
+    bald = bare[nearest] & high[unseen] & (bare[beside[high[beside]]].mean() > 0.5)
     found = line_mm.copy()
     found[unseen] = np.where(bald, -VOTE_MM, VOTE_MM)
     return found

@@ -21,14 +21,14 @@ from cloner.paint.lookups.prepared import person_mask
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
-from cloner.records.labels import Label, shows
+from cloner.records.labels import GARMENTS, Label, shows
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
 from cloner.vision.segmentation.pieces import pieces_of
 
-NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
+NEVER_ON_SCALPS = (Label.BODY_SKIN, *GARMENTS)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
 FAR_MM = 1000.0  # stands for "no hair anywhere near"

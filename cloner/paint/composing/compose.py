@@ -18,10 +18,10 @@ from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.composing.baked import Baked, blank
 from cloner.paint.composing.grain import coarse_tiles
 from cloner.paint.composing.tiles import Tile, cut_tiles
-from cloner.paint.lookups.materials import SQUARE, Materials, always_bare, goes_on, shows_garment
+from cloner.paint.lookups.materials import SQUARE, Materials, goes_on, shows_garment
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, covered_by_hair, shown_colours, visible_points
-from cloner.paint.lookups.zones import hair_allowed, hair_kept
+from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept
 from cloner.records.arrays import Array
 from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
@@ -221,7 +221,9 @@ def _paint_rows(
     good = ~covered_by_hair(source, pixel, lookup, depth, scalp > 0.5, face > 0.5)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
     skin = sample(source.plate.skin, lookup)[:, 0] / 255.0
-    clash = np.abs(np.maximum(skin, np.where(shows_garment(source, lookup), 0.0, own)) - bare)
+    head = np.flatnonzero(own > 0.0)
+    own[head] *= ~shows_garment(source, lookup[head])
+    clash = np.abs(np.maximum(skin, own) - bare)
     unsure = (weight > OWNER_SHARE) & (np.abs(bare - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
     unsafe = source.sight.before_edge(pixel, depth, cosine)

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.lookups.materials import Materials, always_bare, hands_beyond_cuffs, shown_bare
+from cloner.paint.lookups.materials import Materials, hands_beyond_cuffs, shown_bare
 from cloner.paint.lookups.sources import Source
+from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed

@@ -15,13 +15,13 @@ from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.materials import (
     SQUARE,
     Materials,
-    always_bare,
     goes_on,
     shown_bare,
     shown_surfaces,
     shows_garment,
 )
 from cloner.paint.lookups.sources import CLAIM_POWER, Source
+from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.evening import log_levels

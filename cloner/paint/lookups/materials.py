@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.sources import Source
-from cloner.paint.lookups.zones import hair_allowed
+from cloner.paint.lookups.zones import always_bare, hair_allowed
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS, SURFACE_OF, SURFACES, labels_at
 from cloner.vision.retouching.aligning import sample
@@ -64,11 +64,6 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
     clear = (MAJORITY * np.clip(2.0 * mean.max(axis=1) - 1.0, 0.0, 1.0) ** 2 * (total > 0.0))[segment]
     both = weight + clear
     return (weight[:, None] * vote + clear[:, None] * mean[segment]) / np.maximum(both, 1e-12)[:, None], both
-
-
-def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) face and ears: the person's own whatever colours say, under paint and glasses too."""
-    return generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
 
 
 def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:

@@ -20,7 +20,7 @@ from cloner.labels.glasses import wears_glasses
 from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import Stood, stand
 from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, make_plate, person_mask, person_skin, without_glasses
-from cloner.paint.lookups.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
+from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -207,8 +207,7 @@ def mirror_hidden(generic: GenericHuman, source: Source) -> Source:
     """
     mirrored = mirror_source(generic, source)
     slant = (source.sight.cosine < SQUARE_COSINE[0]) & (mirrored.score > source.score)
-    head = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
-    hidden = head & ((source.score <= 0.0) | slant)
+    hidden = always_bare(generic) & ((source.score <= 0.0) | slant)
     return replace(mirrored, score=np.where(hidden, mirrored.score, 0.0))
 
 

@@ -21,6 +21,11 @@ STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a should
 HAIRLINE_REACH_M: Final = 0.035
 
 
+def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) face and ears: the person's own whatever colours say, under paint and glasses too."""
+    return generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
+
+
 def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
     """Return (V,) where hair in the photo is the surface's own colour: the scalp."""
     return generic.region("scalp")
