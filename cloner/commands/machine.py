@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from cloner.commands.options import SeedOption
+from cloner.frames import ViewId
 from cloner.terminal import EXIT_SOME_FAILED, ProgressLine
 
 clusters = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="What a cluster of machines needs.")
@@ -66,6 +67,9 @@ def evaluate(
     ],
     sets: Annotated[list[str] | None, typer.Option("--set", help="plain, booth or handheld; all by default.")] = None,
     out: Annotated[Path | None, typer.Option("--out", help="Keep the clones in this folder.")] = None,
+    photos: Annotated[
+        list[ViewId] | None, typer.Option("--photo", help="Clone generated people from this photo; all by default.")
+    ] = None,
     seed: SeedOption = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print the rows as JSON.")] = False,
 ) -> None:
@@ -76,7 +80,13 @@ def evaluate(
     sentences: list[str] = []
     with ProgressLine() as progress:
         rows = evaluate_visitors(
-            visitors, tuple(sets or SETS), out, progress=progress, told=sentences.append, seed=seed
+            visitors,
+            tuple(sets or SETS),
+            out,
+            shown=tuple(photos or ViewId),
+            progress=progress,
+            told=sentences.append,
+            seed=seed,
         )
     for sentence in sentences:
         typer.echo(sentence, err=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Final
@@ -23,7 +23,7 @@ from cloner.evaluate.scores import Score, girth_scores, held_out_scores, landmar
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.evaluate.truths.kit import KIT_SET, KitTruth, is_kit_person, photos_alone, read_kit
 from cloner.evaluate.truths.labels import label_ious
-from cloner.evaluate.truths.truth import told_height_m
+from cloner.evaluate.truths.truth import THREE_QUARTER, told_height_m
 from cloner.frames import BODY_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.clones import Clone
@@ -40,6 +40,7 @@ def evaluate_people(
     people: Sequence[Path],
     out: Path | None = None,
     *,
+    shown: Collection[ViewId] = tuple(ViewId),
     progress: Callable[[str, float], None] = lambda what, fraction: None,
     told: Told = lambda sentence: None,
 ) -> list[Row]:
@@ -51,6 +52,8 @@ def evaluate_people(
         Folders of people of the generator.
     out : Path or None
         Receives the clones and the held-out pictures; None keeps nothing.
+    shown : collection of ViewId
+        Photos to clone from; the others are held out and scored as views that no photo shows.
     progress, told : callable
         Get what is done now and how far it is; get a sentence a refusal and a warning.
 
@@ -67,12 +70,12 @@ def evaluate_people(
         ahead: CloneRun | None = None
         for number, person in enumerate(people):
             progress(f"clone {person.name}", number / len(people))
-            run = clone_person(person, place, told) if number == 0 else ahead
+            run = clone_person(person, place, told, shown) if number == 0 else ahead
             first = run if number == 0 else first
             after = number + 1
-            ahead = clone_person(queue[after], place, told) if after < len(queue) else first
+            ahead = clone_person(queue[after], place, told, shown) if after < len(queue) else first
             progress(f"score {person.name}", (number + 0.5) / len(people))
-            rows += score_person(person, run, None if ahead is None else ahead.clone, out)
+            rows += score_person(person, run, None if ahead is None else ahead.clone, out, shown)
     return rows
 
 
@@ -84,9 +87,9 @@ def _companion(people: Sequence[Path]) -> list[Path]:
     return [near for near in sorted(place.parent.iterdir()) if near != place and is_kit_person(near)][:1]
 
 
-def clone_person(person: Path, out: Path, told: Told) -> CloneRun | None:
-    """Return the clone of one person from the photos alone, None if there is none: refused, or a defect of ours."""
-    with photos_alone(person) as photos:
+def clone_person(person: Path, out: Path, told: Told, shown: Collection[ViewId] = tuple(ViewId)) -> CloneRun | None:
+    """Return the clone of one person from the photos shown, None if there is none: refused, or a defect of ours."""
+    with photos_alone(person, shown) as photos:
         try:
             run = clone_apart(photos, told_height_m(person), out, labelled=True)
         except ClonerError as error:
@@ -103,14 +106,23 @@ def clone_person(person: Path, out: Path, told: Told) -> CloneRun | None:
     return run
 
 
-def score_person(person: Path, run: CloneRun | None, other: Clone | None, out: Path | None) -> list[Row]:
+def score_person(
+    person: Path,
+    run: CloneRun | None,
+    other: Clone | None,
+    out: Path | None,
+    shown: Collection[ViewId] = tuple(ViewId),
+) -> list[Row]:
     """Return all rows of one person; the truth is first read here, the clone exists."""
     if run is None:
         return rows_of(person.name, KIT_SET, [Score("cloned", "", "", 0.0)], {})
     kit, generic, pictures = read_kit(person), load_generic(), Pictures()
+    hidden = held_out_names(shown)
     subjects = dict(zip(_COLUMNS, (run.clone, generic_clone(generic, kit.truth.stature_m), other), strict=True))
     figures = {
-        column: {(score.metric, score.view): score for score in _subject_scores(subject, run, generic, kit, pictures)}
+        column: {
+            (score.metric, score.view): score for score in subject_scores(subject, run, generic, kit, hidden, pictures)
+        }
         for column, subject in subjects.items()
         if subject is not None
     }
@@ -127,6 +139,11 @@ def score_person(person: Path, run: CloneRun | None, other: Clone | None, out: P
     return rows_of(person.name, KIT_SET, own, figures)
 
 
+def held_out_names(shown: Collection[ViewId]) -> list[str]:
+    """Return the views that are scored as no clone saw them: always those from 45 degrees, and photos kept back."""
+    return [*THREE_QUARTER, *(view for view in ViewId if view not in shown)]
+
+
 def label_scores(run: CloneRun, kit: KitTruth) -> Iterator[Score]:
     """Yield the overlap of the product's labels with the true ones, one score a photo and label."""
     for view, found in run.labels.items():
@@ -140,8 +157,13 @@ def _part_scores(run: CloneRun, generic: GenericHuman, kit: KitTruth) -> Iterato
         yield Score("wrong_part_texels", "", "%", None if share is None else 100.0 * share)
 
 
-def _subject_scores(
-    subject: Clone, run: CloneRun, generic: GenericHuman, kit: KitTruth, pictures: Pictures
+def subject_scores(
+    subject: Clone,
+    run: CloneRun,
+    generic: GenericHuman,
+    kit: KitTruth,
+    hidden: Sequence[str],
+    pictures: Pictures,
 ) -> Iterator[Score]:
     """Yield the figures that a clone and both baselines have."""
     clone, truth = run.clone, kit.truth
@@ -153,8 +175,9 @@ def _subject_scores(
             yield Score("silhouette_iou", view.value, "", overlap)
             if subject is clone:
                 yield Score("joints_mean_mm", view.value, "mm", _joint_error_mm(clone, generic, kit, view))
+    held_out = {name: truth.views[name] for name in hidden if name in truth.views}
     yield from held_out_scores(
-        subject, generic, truth.views, rotations, lambda name, picture: pictures.setdefault(name, []).append(picture)
+        subject, generic, held_out, rotations, lambda name, picture: pictures.setdefault(name, []).append(picture)
     )
     posed = pose_clone(subject, generic, np.zeros_like(rotations))
     face = skins.face_surface_mm(posed, generic, truth.surface, rng=np.random.default_rng(0))

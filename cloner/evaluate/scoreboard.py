@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from cloner.evaluate.scores import Score, score_run, score_subject
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.evaluate.truths.kit import is_kit_person, kit_people
 from cloner.evaluate.truths.truth import SETS, read_truth, told_height_m
+from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.project.atomic import write_text
 from cloner.records.clones import Clone
@@ -31,6 +32,7 @@ def evaluate_visitors(
     sets: Sequence[str] = SETS,
     out: Path | None = None,
     *,
+    shown: Collection[ViewId] = tuple(ViewId),
     progress: Progress = lambda what, fraction: None,
     told: Callable[[str], None] = lambda sentence: None,
     seed: int = 0,
@@ -48,6 +50,8 @@ def evaluate_visitors(
         Folder for the clones as ``cloner clone`` writes them, ``scoreboard.json``
         and the held-out pictures: photo, clone, generic and other side by side.
         None keeps nothing.
+    shown : collection of ViewId
+        Photos to clone generated people from; those kept back are scored too. The samples keep all of theirs.
     progress : callable
         Called with what is done now and the fraction of the whole, 0..1.
     told : callable
@@ -68,7 +72,7 @@ def evaluate_visitors(
     """
     people = kit_people(paths)
     paths = [path for path in paths if (path / "truth.json").is_file() and not is_kit_person(path)] if people else paths
-    rows: list[Row] = evaluate_people(people, out, progress=progress, told=told) if people else []
+    rows: list[Row] = evaluate_people(people, out, shown=shown, progress=progress, told=told) if people else []
     rows += _evaluate_sets(paths, sets, out, progress, seed) if paths or not people else []
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)

@@ -69,15 +69,14 @@ def score_run(run: CloneRun, truth: Truth) -> Iterator[Score]:
 def held_out_scores(
     subject: Clone, generic: GenericHuman, views: Mapping[str, TruthView], rotations: Array, keep: Keep
 ) -> Iterator[Score]:
-    """Yield how like a clone is in views that no photo shows; ``keep`` gets each one's name and picture."""
-    for name in THREE_QUARTER:
-        if name in views:
-            found, picture = likeness.held_out_likeness(subject, rotations, generic, views[name])
-            keep(name, picture)
-            if not name.startswith("body"):
-                del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
-            for metric, figure in found.items():
-                yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
+    """Yield how like a clone is in views that no photo showed; ``keep`` gets each one's name and picture."""
+    for name, view in views.items():
+        found, picture = likeness.held_out_likeness(subject, rotations, generic, view)
+        keep(name, picture)
+        if not name.startswith("body"):
+            del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
+        for metric, figure in found.items():
+            yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
 
 
 def score_subject(
@@ -112,7 +111,8 @@ def score_subject(
         if view in clone.views:
             value = likeness.seen_as_photo(subject, clone, generic, view, truth.views[view].mask)
             yield Score("silhouette_iou", view, "", value)
-    yield from held_out_scores(subject, generic, truth.views, rotations, keep)
+    held_out = {name: truth.views[name] for name in THREE_QUARTER if name in truth.views}
+    yield from held_out_scores(subject, generic, held_out, rotations, keep)
     posed, truth_rotations, truth_from_clone = posed_as(
         subject, generic, truth.surface.joints_m, truth.surface.marks_m, rotations
     )

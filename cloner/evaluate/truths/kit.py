@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -79,12 +79,12 @@ def kit_people(paths: Sequence[Path]) -> list[Path]:
 
 
 @contextmanager
-def photos_alone(person: Path) -> Iterator[Path]:
-    """Give a folder with the five photos of a person and nothing that is true of them."""
+def photos_alone(person: Path, shown: Collection[ViewId] = tuple(ViewId)) -> Iterator[Path]:
+    """Give a folder with those photos of a person that are shown, and nothing that is true of them."""
     with tempfile.TemporaryDirectory(prefix="cloner-kit-") as place:
         folder = Path(place) / person.name
         folder.mkdir()
-        for view in ViewId:
+        for view in shown:
             photo = person / f"{view.value}.jpg"
             if photo.is_file():
                 shutil.copy(photo, folder)

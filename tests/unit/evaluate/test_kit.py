@@ -1,6 +1,7 @@
 """People of the generator as visitors: what is read of them, label overlap, texels on another part, and refusals."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -11,6 +12,8 @@ from cloner.evaluate import kit_scores
 from cloner.evaluate.figures.origins import Origins
 from cloner.evaluate.figures.parts import with_skin_below, wrong_part_share
 from cloner.evaluate.scoreboard import evaluate_visitors
+from cloner.evaluate.scores import Score
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.evaluate.truths.kit import is_kit_person, kit_people, photos_alone, read_kit
 from cloner.evaluate.truths.labels import label_ious
 from cloner.frames import ViewId
@@ -91,6 +94,30 @@ def test_a_clone_sees_the_photos_alone(person):
     with photos_alone(person) as folder:
         assert sorted(path.name for path in folder.iterdir()) == ["body_front.jpg", "face_front.jpg"]
         assert folder.name == "p00001"
+
+
+def test_a_clone_sees_none_of_the_photos_kept_back(person, monkeypatch):
+    seen = []
+
+    def refuse(photos, stature_m, out, *, labelled):
+        seen.extend(path.name for path in photos.iterdir())
+        raise ClonerError("no person found in this photo", "Take it again", "face_front.jpg")
+
+    monkeypatch.setattr(kit_scores, "clone_apart", refuse)
+    evaluate_visitors([person], shown=(ViewId.FACE_FRONT, ViewId.FACE_SIDE))
+    assert seen == ["face_front.jpg"]
+
+
+def test_photos_kept_back_are_scored_as_views_that_no_photo_showed(person, monkeypatch):
+    def name_them(subject, generic, views, rotations, keep):
+        yield Score("views", " ".join(views), "", 1.0)
+
+    monkeypatch.setattr(kit_scores, "held_out_scores", name_them)
+    kit, generic = read_kit(person), load_generic()
+    clone = generic_clone(generic, kit.truth.stature_m)
+    hidden = kit_scores.held_out_names((ViewId.FACE_FRONT,))
+    first = next(kit_scores.subject_scores(clone, SimpleNamespace(clone=clone), generic, kit, hidden, {}))
+    assert first.view == "face_three_quarter body_front"
 
 
 def test_the_truth_is_read_in_our_words(person):
