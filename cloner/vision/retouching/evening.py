@@ -105,11 +105,11 @@ def first_of(shown: Iterable[tuple[ViewId, bool]], references: Sequence[ViewId])
 
 
 def common_balance(colours: Array, light: Array, weights: Array, own: NDArray[np.bool_]) -> Array:
-    """Return the log gains (3,) that put the white balance of all photos in place of the reference's.
+    """Return the log gains (3,) that put exposure and white balance of all photos in place of the reference's.
 
-    Every camera guesses the colour of its room's light anew; the mean of its guesses is nearer to the truth than any
-    single one.  A guess counts by how bright it shows the surface: veils and noise take the colour out of what is dark.
-    The gains leave luma (ITU-R BT.601) as it is.
+    Every camera guesses how bright and of what colour its room's light is; the mean of the guesses is nearer to the
+    truth than any single one.  A guess of the colour (luma, ITU-R BT.601, apart) counts by how bright it shows the
+    surface: veils and noise take the colour out of what is dark.
 
     Parameters
     ----------
@@ -121,13 +121,14 @@ def common_balance(colours: Array, light: Array, weights: Array, own: NDArray[np
     counted = own & (weights.sum(axis=1) > 0.0)
     if not counted.any():
         return np.zeros(3)
-    casts, bright = [], []
+    exposures, casts, bright = [], [], []
     for seen, gain, weight in zip(colours[counted], light[counted], weights[counted], strict=True):
-        away = np.log((seen + 1.0) / (apply_light(seen, gain) + 1.0))
-        share = weight / weight.sum() * (seen @ LUMA)
-        casts.append(share @ (away - (away @ LUMA)[:, None]))
-        bright.append(share.sum())
-    return np.asarray(np.sum(casts, axis=0) / max(np.sum(bright), 1.0))
+        away = log_levels(seen) - log_levels(apply_light(seen, gain))
+        luma, share = away @ LUMA, weight / weight.sum()
+        exposures.append(share @ luma)
+        casts.append(share * (seen @ LUMA) @ (away - luma[:, None]))
+        bright.append(share @ (seen @ LUMA))
+    return np.asarray(np.mean(exposures) + np.sum(casts, axis=0) / max(np.sum(bright), 1.0))
 
 
 def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
