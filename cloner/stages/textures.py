@@ -33,7 +33,7 @@ from cloner.paint.details.lid_skin import clean_lids
 from cloner.paint.details.nostrils import darken_nostrils
 from cloner.paint.details.parts import face_rgb, paint_parts
 from cloner.paint.details.tucking import tuck_scalp
-from cloner.paint.details.undressed import dress_unseen, near_sight, only_faces, plain_beyond
+from cloner.paint.details.undressed import clothe_beyond, dress_unseen, near_sight, only_faces
 from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
 from cloner.paint.lookups.evened import (
     compare_photos,
@@ -225,7 +225,7 @@ def share_photos(
     residuals += compare_photos(sources, colours, light)
     base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
     if only_faces(sources):
-        base = plain_beyond(sources, base, kinds, joined.vertices_m[:, 1], graph)
+        base = clothe_beyond(generic, sources, base, kinds, joined.vertices_m, graph)
         kinds = replace(kinds, surfaces=kinds.surfaces * near_sight(sources, graph)[:, None])
     shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
     return Shared(sources, shares, light, base, kinds), residuals

@@ -1,4 +1,7 @@
-"""What a person wears where only photos of the face exist: their collar's cloth, all around and down."""
+"""What a person wears where only photos of the face exist: the cloth they show, all around and down to the waist.
+
+Below are dark trousers and shoes; who shows no cloth at all gets a plain shirt, since nobody is naked unasked.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +10,16 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.lookups.materials import Materials, hands_beyond_cuffs, shown_bare
+from cloner.paint.lookups.materials import Materials, goes_on, hands_beyond_cuffs, shown_bare
 from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
+from cloner.records.labels import GARMENTS
+from cloner.vision.retouching.evening import log_levels
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
@@ -21,6 +27,12 @@ COLLAR_QUANTILE: Final = 0.9  # of the heights at which cloth is seen beside the
 NECK_SHARE: Final = 1.5  # of the neck's half width: collars stand around it
 SOFT_M: Final = 0.006  # a collar's edge fades over a vertex or two
 KEPT_M, PLAIN_M = 0.02, 0.10  # surfaces go on as seen for 2 cm, beyond 10 cm they are plain
+FALL: Final = 0.3  # taste: a shirt's front goes on downwards rather than sideways
+BELOW_SKIN_M: Final = 0.02  # a neckline lies so far below the lowest skin that is seen
+#: Levels of what no photo tells (taste): a shirt; trousers and shoes, which are never lighter than what is worn above.
+SHIRT, TROUSERS, SHOES = np.array([[118, 122, 128], [52, 56, 66], [34, 32, 32]], np.float32)
+#: Pixels of cloth in a photo from which their colour is a garment's, though it lies on no surface.
+LEAST_PIXELS: Final = 400
 #: Levels that count as one colour (taste).
 BIN_LEVELS: Final = 16.0
 
@@ -31,10 +43,11 @@ def only_faces(sources: list[Source]) -> bool:
 
 
 def dress_unseen(generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array) -> Materials:
-    """Return kinds in which whoever wears something at the collar is dressed to wrists and soles.
+    """Return kinds in which the person is dressed to wrists and soles.
 
     A photo of the face ends at the chest, and from the neck's skin the unseen back would be bare.
-    The collar stands behind as high as it does beside the neck.
+    The collar stands behind as high as it does beside the neck. Without cloth in the photo it lies round the
+    neck's base, and where shoulders are seen bare the shirt begins below what is seen and has no sleeves.
 
     Parameters
     ----------
@@ -42,36 +55,56 @@ def dress_unseen(generic: GenericHuman, sources: list[Source], kinds: Materials,
     vertices_m : (V, 3)
     """
     cloth = _shown_cloth(sources, kinds)
-    if int(cloth.sum()) < LEAST_CLOTH:
-        return kinds
-    ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare(generic, sources) < 0.5)
-    ends = (ends.any(axis=0) | cloth) & _beside_neck(generic, vertices_m) & ~generic.region("scalp")
-    collar = float(np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE))
-    below = np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
+    covered = np.ones(len(vertices_m), bool)
+    if int(cloth.sum()) >= LEAST_CLOTH:
+        ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare(generic, sources) < 0.5)
+        ends = (ends.any(axis=0) | cloth) & _beside_neck(generic, vertices_m) & ~generic.region("scalp")
+        collar = float(np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE))
+    else:
+        collar, covered = _neckline(generic, sources, kinds, vertices_m)
+    below = covered * np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
     worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, below)
     worn[np.concatenate(hands_beyond_cuffs(generic))] = 0.0
     return replace(kinds, bare=1.0 - worn, worn=worn)
 
 
-def plain_beyond(
-    sources: list[Source], base: NDArray[np.float32], kinds: Materials, height_m: Array, graph: SurfaceGraph
+def clothe_beyond(
+    generic: GenericHuman,
+    sources: list[Source],
+    base: NDArray[np.float32],
+    kinds: Materials,
+    vertices_m: Array,
+    graph: SurfaceGraph,
 ) -> NDArray[np.float32]:
     """Return (3, V, 3) fills in which skin and cloth far from what photos show have the one colour most of it has.
+
+    The trunk's front goes on downwards as the photo's lower edge shows it; trousers and shoes are dark.
 
     Parameters
     ----------
     base : (3, V, 3) levels of skin, hair and cloth
     kinds : Materials
-    height_m : (V,) of the vertices
+    vertices_m : (V, 3)
     """
     found = base.copy()
-    skin = _shown(sources) & (kinds.bare > 0.5) & (kinds.scalp < 0.5)
+    seen = _shown(sources)
+    skin = seen & (kinds.bare > 0.5) & (kinds.scalp < 0.5)
+    if int(skin.sum()) >= LEAST_CLOTH:
+        found[0] += _far(graph.distance_from(skin, PLAIN_M)) * (_commonest(base[0][skin]) - base[0])
     cloth = _shown_cloth(sources, kinds)
-    low = cloth & (height_m <= np.median(height_m[cloth])) if cloth.any() else cloth  # a collar's trim is no shirt
-    for kind, shown, alike in ((0, skin, skin), (2, cloth, low)):
-        if int(shown.sum()) >= LEAST_CLOTH:
-            share = np.clip((graph.distance_from(shown, PLAIN_M) - KEPT_M) / (PLAIN_M - KEPT_M), 0.0, 1.0)[:, None]
-            found[kind] += share * (_commonest(base[kind][alike]) - base[kind])
+    if int(cloth.sum()) >= LEAST_CLOTH:
+        low = cloth & (vertices_m[:, 1] <= np.median(vertices_m[cloth, 1]))  # a collar's trim is no shirt
+        plain = _commonest(base[2][low])
+        fall, aside_m = _fall(generic, base[2], vertices_m, cloth)
+        as_seen = _far(graph.distance_from(cloth, PLAIN_M))
+        found[2] += as_seen * (fall + _far(aside_m) * (plain - fall) - base[2])
+    else:
+        plain = _garment_colour(sources, base[0][skin])
+        found[2] = np.where(seen[:, None] & (kinds.worn > 0.5)[:, None], base[2], plain)
+    waist_m = vertices_m[generic.segment("pelvis"), 1].max()
+    legs = _any_segment(generic, ("pelvis", "thigh", "calf")) & (vertices_m[:, 1] < waist_m)
+    for part, dark in ((legs, TROUSERS), (_any_segment(generic, ("foot",)), SHOES)):
+        found[2][part & ~seen] = np.minimum(plain, dark)
     return found
 
 
@@ -86,6 +119,59 @@ def _shown(sources: list[Source]) -> NDArray[np.bool_]:
 
 def _shown_cloth(sources: list[Source], kinds: Materials) -> NDArray[np.bool_]:
     return np.asarray(_shown(sources) & (kinds.worn > 0.5), bool)
+
+
+def _neckline(
+    generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array
+) -> tuple[float, NDArray[np.bool_]]:
+    """Return the height of a shirt's upper edge that covers nothing seen bare, metres, and what (V,) it may cover."""
+    neck_m = float(vertices_m[generic.region("neck"), 1].min())
+    bare = vertices_m[_shown(sources) & (kinds.bare > 0.5) & ~generic.segment("head"), 1]
+    lowest_m = float(bare.min()) - BELOW_SKIN_M if bare.size else neck_m
+    if lowest_m >= neck_m:
+        return neck_m, np.ones(len(vertices_m), bool)
+    return lowest_m, ~_any_segment(generic, ("arm", "hand"))
+
+
+def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (3,) the commonest colour of the photos' garments, a plain shirt's where it is the skin's or none is seen.
+
+    Parameters
+    ----------
+    skin_rgb : (N, 3) levels
+    """
+    worn = [s.plate.rgb[np.isin(s.plate.labels, GARMENTS)] for s in sources if not s.mirrored]
+    pixels = np.concatenate(worn).astype(np.float32)
+    if len(pixels) < LEAST_PIXELS:
+        return SHIRT
+    found = _commonest(pixels)
+    as_skin = bool(len(skin_rgb)) and goes_on(found, np.median(log_levels(skin_rgb), axis=0))
+    return SHIRT if as_skin else found
+
+
+def _fall(
+    generic: GenericHuman, cloth_rgb: NDArray[np.float32], vertices_m: Array, seen: NDArray[np.bool_]
+) -> tuple[NDArray[np.float32], Array]:
+    """Return (V, 3) the colour of the cloth seen above each vertex, and (V,) how far aside that is, metres.
+
+    Only the trunk's goes on downwards; for all else what is above is far.
+    """
+    place = vertices_m * (1.0, FALL, 1.0)
+    rows = np.flatnonzero(seen)
+    near = rows[cKDTree(place[rows]).query(place)[1]]
+    aside = np.linalg.norm((vertices_m - vertices_m[near])[:, [0, 2]], axis=1)
+    return cloth_rgb[near], np.where(_any_segment(generic, ("torso", "pelvis")), aside, PLAIN_M)
+
+
+def _far(away_m: Array) -> Array:
+    """Return (V, 1) 0 as far as surfaces go on as seen, 1 where they are plain."""
+    return np.asarray(np.clip((away_m - KEPT_M) / (PLAIN_M - KEPT_M), 0.0, 1.0)[:, None])
+
+
+def _any_segment(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.bool_]:
+    """Return (V,) which vertices are of segments whose names end so."""
+    of = np.array([name.endswith(endings) for name in generic.segment_names])
+    return np.asarray(of[generic.vertex_segment], bool)
 
 
 def _beside_neck(generic: GenericHuman, vertices_m: Array) -> NDArray[np.bool_]:

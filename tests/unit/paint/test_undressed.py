@@ -11,7 +11,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import photo_shares
-from cloner.paint.details.undressed import dress_unseen, plain_beyond
+from cloner.paint.details.undressed import SHIRT, clothe_beyond, dress_unseen
 from cloner.paint.lookups.materials import find_materials, hands_beyond_cuffs
 from cloner.records.labels import Label
 
@@ -53,22 +53,61 @@ def test_a_shirt_goes_on_around_the_body_and_ends_at_collar_and_hands(person):
     assert kinds.worn[~body].max() == 0.0
 
 
-def test_who_shows_bare_shoulders_is_not_dressed(person):
+def test_nobody_is_naked_below_what_a_photo_shows_bare(person):
     generic, vertices, graph = person
     sources = [portrait(generic, vertices, 0.0)]
-    found = find_materials(generic, sources, graph)
-    assert dress_unseen(generic, sources, found, vertices) is found
+    kinds = dress_unseen(generic, sources, find_materials(generic, sources, graph), vertices)
+    seen = sources[0].score > 0.0
+    trunk = generic.segment("torso") | generic.segment("pelvis")
+    assert kinds.worn[seen].max() == 0.0, "what the photo shows stays bare"
+    assert kinds.worn[trunk & (vertices[:, 1] < vertices[seen & trunk, 1].min() - 0.04)].min() == 1.0
+    assert kinds.worn[generic.segment("left_upper_arm")].max() == 0.0, "a shirt below bare shoulders has no sleeves"
+
+
+def clothed(person, collar, cloth_rgb, labels=None):
+    """Return fills and seen vertices of a portrait in which cloth has one colour and skin another."""
+    generic, vertices, graph = person
+    source = portrait(generic, vertices, collar)
+    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices)
+    base = np.full((3, len(vertices), 3), (180.0, 130.0, 110.0), np.float32)
+    base[2] = cloth_rgb
+    source.plate.rgb = np.tile(np.array((40, 90, 160), np.uint8), (1, 3000, 1))
+    source.plate.labels = np.full((1, 3000), Label.FACE_SKIN if labels is None else labels, np.uint8)
+    return clothe_beyond(generic, [source], base, kinds, vertices, graph), source.score > 0.0
 
 
 def test_cloth_far_from_the_photo_has_the_shirt_s_colour_not_the_collar_s(person):
-    generic, vertices, graph = person
+    generic, vertices, _ = person
     collar = float(vertices[generic.region("neck"), 1].min()) + 0.01
-    sources = [portrait(generic, vertices, collar)]
-    kinds = dress_unseen(generic, sources, find_materials(generic, sources, graph), vertices)
-    base = np.full((3, len(vertices), 3), 90.0, np.float32)
-    base[2, vertices[:, 1] > collar - 0.02] = 250.0
-    found = plain_beyond(sources, base, kinds, vertices[:, 1], graph)
-    assert np.allclose(found[2, vertices[:, 1] < collar - 0.5], 90.0, atol=1.0)
+    cloth = np.where(vertices[:, 1:2] > collar - 0.02, 250.0, 90.0) * np.ones(3)
+    found, _ = clothed(person, collar, cloth)
+    behind = generic.segment("torso") & (vertices[:, 2] < -0.08) & (vertices[:, 1] < collar - 0.3)
+    assert behind.any()
+    assert np.allclose(found[2, behind], 90.0, atol=1.0)
+
+
+def test_a_shirt_s_front_goes_on_down_to_the_waist_above_dark_trousers_and_shoes(person):
+    generic, vertices, _ = person
+    collar = float(vertices[generic.region("neck"), 1].min()) + 0.01
+    middle = (np.abs(vertices[:, :1]) < 0.05) & (vertices[:, 2:] > 0.0)
+    found, seen = clothed(person, collar, np.where(middle, 240.0, 30.0) * np.ones(3))
+    waist = vertices[generic.segment("pelvis"), 1].max()
+    below = (vertices[:, 1] > waist) & (vertices[:, 1] < vertices[seen, 1].min() - 0.12)
+    belly = below & (np.abs(vertices[:, 0]) < 0.03) & (vertices[:, 2] > 0.05)
+    flank = below & generic.segment("torso") & (vertices[:, 0] > 0.10)
+    assert found[2, belly].min() > 150.0
+    assert found[2, flank].max() < 60.0
+    assert found[2, generic.segment("left_calf")].max() <= 30.0 + 1.0, "trousers are never lighter than what is above"
+    assert (found[2, generic.segment("left_foot")] <= 34.0).all()
+
+
+def test_cloth_that_lies_on_no_surface_still_tells_the_shirt_s_colour(person):
+    generic, vertices, _ = person
+    chest = generic.segment("torso") & (vertices[:, 2] < -0.05)
+    found, _ = clothed(person, 0.0, 99.0, labels=Label.UPPER_CLOTHES)
+    assert np.allclose(found[2, chest], (40, 90, 160), atol=1.0)
+    found, _ = clothed(person, 0.0, 99.0)
+    assert np.allclose(found[2, chest], SHIRT)
 
 
 def test_a_portrait_without_body_photos_paints_the_chest_as_it_shows_it(person):
