@@ -215,7 +215,7 @@ def share_photos(
     colours = vertex_colours(sources)
     kinds = find_materials(generic, sources, graph)
     if only_faces(sources):
-        kinds = dress_unseen(generic, sources, kinds, joined.vertices_m)
+        kinds = dress_unseen(generic, sources, kinds, joined.vertices_m, graph)
     sources = doubt_strangers(generic, sources, kinds)
     kinds = with_surroundings(sources, colours, kinds, graph)
     sources = doubt_grazing(generic, sources, colours, kinds)

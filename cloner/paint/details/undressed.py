@@ -42,7 +42,9 @@ def only_faces(sources: list[Source]) -> bool:
     return all(source.view.is_face for source in sources)
 
 
-def dress_unseen(generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array) -> Materials:
+def dress_unseen(
+    generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph
+) -> Materials:
     """Return kinds in which the person is dressed to wrists and soles.
 
     A photo of the face ends at the chest, and from the neck's skin the unseen back would be bare.
@@ -63,6 +65,7 @@ def dress_unseen(generic: GenericHuman, sources: list[Source], kinds: Materials,
     else:
         collar, covered = _neckline(generic, sources, kinds, vertices_m)
     below = covered * np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
+    below[_above_skin(sources, kinds, vertices_m, graph)] = 0.0
     worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, below)
     worn[np.concatenate(hands_beyond_cuffs(generic))] = 0.0
     return replace(kinds, bare=1.0 - worn, worn=worn)
@@ -133,6 +136,13 @@ def _neckline(
     return lowest_m, ~_any_segment(generic, ("arm", "hand"))
 
 
+def _above_skin(sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph) -> NDArray[np.bool_]:
+    """Return (V,) what lies above or close to the nearest surface that is seen, and that is bare: a throat in shade."""
+    near = graph.nearest(_shown(sources))
+    close = np.linalg.norm(vertices_m - vertices_m[near], axis=1) < KEPT_M
+    return np.asarray((kinds.bare[near] > 0.5) & (close | (vertices_m[near, 1] < vertices_m[:, 1])), bool)
+
+
 def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return (3,) the commonest colour of the photos' garments, a plain shirt's where it is the skin's or none is seen.
 
@@ -143,10 +153,10 @@ def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDA
     worn = [s.plate.rgb[np.isin(s.plate.labels, GARMENTS)] for s in sources if not s.mirrored]
     pixels = np.concatenate(worn).astype(np.float32)
     if len(pixels) < LEAST_PIXELS:
-        return SHIRT
+        return np.asarray(SHIRT, np.float32)
     found = _commonest(pixels)
     as_skin = bool(len(skin_rgb)) and goes_on(found, np.median(log_levels(skin_rgb), axis=0))
-    return SHIRT if as_skin else found
+    return np.asarray(SHIRT if as_skin else found, np.float32)
 
 
 def _fall(

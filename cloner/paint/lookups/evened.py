@@ -10,7 +10,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.flattened import flatten_halves, flatten_slants, soften_glare
-from cloner.paint.lookups.materials import Materials, shown_bare
+from cloner.paint.lookups.materials import Materials, of_skin, shown_bare
 from cloner.paint.lookups.sources import Source, shown_colours
 from cloner.records.arrays import Array
 from cloner.records.results import Residual
@@ -214,21 +214,24 @@ def fill_surface(
 
     Seen vertices keep their own in the field of their kind; elsewhere each
     field spreads along the surface by itself, so that a hole beside a collar
-    is filled with skin above the line and cloth below it.
+    is filled with skin above the line and cloth below it.  Skin spreads from what has the person's colour alone:
+    a collar's rim or the shade of a jaw does not run down the neck.
     """
     shown = shown_bare(generic, sources)
+    skin = kinds.bare * (1.0 - kinds.scalp)
 
     def field(of_kind: tuple[Array, Array]) -> Array:
         kind, alike = of_kind
         colour, weight = _mean_shown(generic, sources, evened, alike)
         own = weight * np.clip(2.0 * kind - 1.0, 0.0, 1.0)
+        if kind is skin:
+            own *= of_skin(np.asarray(log_levels(colour), np.float64), own > FILL_TRUST)
         if not (own > FILL_TRUST).any():  # no photo shows this kind: whatever is there must do
             colour, own = _mean_shown(generic, sources, evened, np.ones_like(shown))
         near = colour[graph.nearest(own > FILL_TRUST)]
         return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, light_spans(near))
 
-    bare = kinds.bare
-    all_kinds = ((bare * (1.0 - kinds.scalp), shown), (bare * kinds.scalp, shown), (kinds.worn, 1.0 - shown))
+    all_kinds = ((skin, shown), (kinds.bare * kinds.scalp, shown), (kinds.worn, 1.0 - shown))
     return np.clip(np.stack(list(abreast(field, all_kinds))), 0.0, 255.0).astype(np.float32)
 
 

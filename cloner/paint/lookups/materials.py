@@ -87,12 +87,27 @@ def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, g
     square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
     if not square.any():
         return kinds
+    bare = square * kinds.skin
+    bare *= np.stack([of_skin(shown, weight > 0.0) for shown, weight in zip(logs, bare, strict=True)])
     around = []
-    for alike in (~kinds.skin, kinds.skin):
-        total = (square * alike).sum(axis=0)
-        mean = ((square * alike)[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+    for weight in (square * ~kinds.skin, bare):
+        total = weight.sum(axis=0)
+        mean = (weight[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
         around.append(graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS))
     return replace(kinds, around=np.where(kinds.skin[:, None], around[1], around[0]))
+
+
+def of_skin(logs: Array, told: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which log levels (N, 3) differ from the skin's by no more than light can do: no collar's rim, no beard.
+
+    Parameters
+    ----------
+    told : (N,)
+        What is skin by its label; the median of these is the skin's colour.
+    """
+    if not told.any():
+        return np.ones(len(logs), bool)
+    return np.asarray(beyond_light(logs - np.median(logs[told], axis=0)) < 1.0)
 
 
 def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating]) -> NDArray[np.bool_]:

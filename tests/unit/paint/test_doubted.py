@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +12,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
 from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
+from cloner.paint.lookups.evened import fill_surface
 from cloner.paint.lookups.materials import Materials, goes_on, with_surroundings
 from cloner.records.labels import SKINS, SURFACES, Label
 
@@ -168,6 +169,19 @@ def test_skin_is_compared_with_skin_and_cloth_with_cloth(graph):
     person = np.abs(np.diff(around, axis=0)).max() > 0.0
     assert person
     assert np.allclose(np.exp(around[~cloth & GENERIC.region("neck")]).std(axis=0), 0.0, atol=1e-3)
+
+
+def test_what_is_labelled_skin_and_white_as_the_collar_is_not_the_skin_around(graph):
+    """A squarely seen rim of a collar under skin's label: the neck's skin went white there and up to the jaw."""
+    rim = GENERIC.region("neck") & (GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.region("neck"), 1].mean())
+    angles = np.full(COUNT, 0.9)
+    photo = Photo(ViewId.FACE_FRONT, angles, angles, labels=Label.FACE_SKIN)
+    colours = np.where(rim[:, None], (225.0, 235.0, 250.0), SKIN)[None]
+    kinds = with_surroundings([photo], colours, bare(), graph)
+    assert not goes_on(colours[0, rim], kinds.around[rim]).any()
+    photo = replace(photo, score=np.where(GENERIC.segment("torso"), 0.0, angles))
+    skin = fill_surface(GENERIC, [photo], colours, bare(), graph)[0]
+    assert np.abs(skin[GENERIC.segment("torso")] - SKIN).max() < 3.0, "nothing white runs down the chest"
 
 
 def test_a_garment_that_a_photo_shows_at_the_face_is_not_the_face():

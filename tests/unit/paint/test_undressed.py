@@ -45,7 +45,7 @@ def test_a_shirt_goes_on_around_the_body_and_ends_at_collar_and_hands(person):
     generic, vertices, graph = person
     collar = float(vertices[generic.region("neck"), 1].min()) + 0.01
     sources = [portrait(generic, vertices, collar)]
-    kinds = dress_unseen(generic, sources, find_materials(generic, sources, graph), vertices)
+    kinds = dress_unseen(generic, sources, find_materials(generic, sources, graph), vertices, graph)
     behind = vertices[:, 2] < vertices[generic.region("neck"), 2].mean() - 0.03
     body = ~np.isin(np.arange(len(vertices)), np.concatenate(hands_beyond_cuffs(generic)))
     assert kinds.worn[behind & body & (vertices[:, 1] < collar - 0.04)].min() > 0.95
@@ -53,10 +53,24 @@ def test_a_shirt_goes_on_around_the_body_and_ends_at_collar_and_hands(person):
     assert kinds.worn[~body].max() == 0.0
 
 
+def test_a_throat_in_the_chin_s_shade_is_no_collar(person):
+    generic, vertices, graph = person
+    neck = generic.region("neck")
+    base = float(vertices[neck, 1].min())
+    source = portrait(generic, vertices, base + 1.5 * np.abs(vertices[:, 0]))  # its wings stand beside the throat
+    front = vertices[:, 2] > vertices[neck, 2].mean()
+    throat = neck & front & (np.abs(vertices[:, 0]) < 0.03)
+    shade = throat & (vertices[:, 1] > base + 0.03)
+    source.score[shade] = 0.0
+    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
+    assert shade.sum() > 10
+    assert kinds.worn[shade].mean() < 0.15
+
+
 def test_nobody_is_naked_below_what_a_photo_shows_bare(person):
     generic, vertices, graph = person
     sources = [portrait(generic, vertices, 0.0)]
-    kinds = dress_unseen(generic, sources, find_materials(generic, sources, graph), vertices)
+    kinds = dress_unseen(generic, sources, find_materials(generic, sources, graph), vertices, graph)
     seen = sources[0].score > 0.0
     trunk = generic.segment("torso") | generic.segment("pelvis")
     assert kinds.worn[seen].max() == 0.0, "what the photo shows stays bare"
@@ -68,7 +82,7 @@ def clothed(person, collar, cloth_rgb, labels=None):
     """Return fills and seen vertices of a portrait in which cloth has one colour and skin another."""
     generic, vertices, graph = person
     source = portrait(generic, vertices, collar)
-    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices)
+    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
     base = np.full((3, len(vertices), 3), (180.0, 130.0, 110.0), np.float32)
     base[2] = cloth_rgb
     source.plate.rgb = np.tile(np.array((40, 90, 160), np.uint8), (1, 3000, 1))
