@@ -31,14 +31,24 @@ def usual_depth_m(scalp: Scalp) -> tuple[float, float]:
     return float(scalp.points_m[:, 2].min()) - m_from_mm(DRAPE_MM), float(front.max())
 
 
+def usual_width_m(scalp: Scalp) -> tuple[float, float]:
+    """Return where the head ends aside (x): hair that no photo from front or back tells of is as wide."""
+    return float(scalp.points_m[:, 0].min()), float(scalp.points_m[:, 0].max())
+
+
 def hanging_mm(
-    views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32], deep_m: tuple[float, float], low_m: float
+    views: list[HairView],
+    points_m: Array,
+    skin_mm: NDArray[np.float32],
+    deep_m: tuple[float, float],
+    wide_m: tuple[float, float],
+    low_m: float,
 ) -> NDArray[np.float32]:
     """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
 
-    Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin. If
-    no photo shows the head from aside only what goes on below the ears hangs, a flap would stand before the temples; it
-    falls beside the head's middle, however wide.
+    Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin and
+    no wider than the head. If no photo shows the head from aside only what goes on below the ears hangs, a flap would
+    stand before the temples; it falls beside the head's middle, however wide, and behind where it does on both sides.
 
     Parameters
     ----------
@@ -48,18 +58,39 @@ def hanging_mm(
         Signed distance to the whole body's skin, positive outside.
     deep_m : (float, float)
         As in :func:`agreed_mm`.
+    wide_m : (float, float)
+        As of :func:`usual_width_m`.
     low_m : float
         Height of the ears.
     """
     field = np.full(len(skin_mm), -FAR_MM, np.float32)
     rows = np.flatnonzero(skin_mm > -INNER_MM)
     inside, sides = agreed_mm(views, points_m[rows], deep_m)
-    thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
-    if not seen_aside(views):
+    drape = DRAPE_MM - skin_mm[rows]
+    if seen_aside(views):
+        within = mm_from_m(0.5) * (wide_m[1] - wide_m[0])
+        within = within - mm_from_m(1.0) * np.abs(points_m[rows, 0] - 0.5 * (wide_m[0] + wide_m[1]))
+        thin = np.where(sides > 1, np.float32(FAR_MM), np.minimum(drape, within))
+    else:
+        thin = np.where(sides > 1, np.float32(FAR_MM), drape)
         below = np.minimum(points_m[rows], (np.inf, low_m - m_from_mm(BELOW_EARS_MM), np.inf))
         beside = BESIDE_MM - mm_from_m(1.0) * np.abs(points_m[rows, 2] - 0.5 * (deep_m[0] + deep_m[1]))
         beside = np.minimum(beside, FALLS_FROM_MM - mm_from_m(1.0) * (points_m[rows, 1] - low_m) - skin_mm[rows])
         thin = np.where(agreed_mm(views, below, deep_m)[0] > 0.0, np.maximum(thin, beside), np.float32(-FAR_MM))
+        behind = _behind_mm(views, points_m[rows], deep_m, wide_m, low_m)
+        inside, thin = np.maximum(inside, behind), np.where(behind > 0.0, np.maximum(thin, drape), thin)
     # Hair that hangs free and is thinner than the labels' doubt is none.
     field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
+    return field
+
+
+def _behind_mm(
+    views: list[HairView], points_m: Array, deep_m: tuple[float, float], wide_m: tuple[float, float], low_m: float
+) -> NDArray[np.float32]:
+    """Return (N,) how deep points behind neck and back lie in hair that front photos show on both sides of them, mm."""
+    field = np.full(len(points_m), -FAR_MM, np.float32)
+    hidden = (points_m[:, 2] < 0.5 * (deep_m[0] + deep_m[1])) & (points_m[:, 1] < low_m)
+    rows = np.flatnonzero(hidden & (points_m[:, 0] > wide_m[0]) & (points_m[:, 0] < wide_m[1]))
+    beside = [np.column_stack([np.full(rows.size, x_m), points_m[rows, 1:]]) for x_m in wide_m]
+    field[rows] = np.minimum(*(agreed_mm(views, points, deep_m)[0] for points in beside))
     return field

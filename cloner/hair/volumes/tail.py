@@ -145,15 +145,20 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
 def hangs_clear(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_], cap_m: Array) -> NDArray[np.bool_]:
     """Return (H, W) the pieces of free hair with air between them and the head in enough of their rows.
 
-    Where no photo of the back tells a tail from thick hair, which lies on the head all the way down.
+    Where no photo of the back tells a tail from thick hair, which lies on the head all the way down. A tail's root
+    and the hair of the nape may be one piece with it: then the air lies between two parts of its row.
     """
     air_px = AIR_MM / view.pixel_mm(view.to_view(cap_m))
     away = np.where(free, cv2.distanceTransform((~head).astype(np.uint8), cv2.DIST_L2, 5), np.float32(np.inf))
     count, pieces = cv2.connectedComponents(free.astype(np.uint8), connectivity=8)
     clear = np.zeros(count, np.bool_)
+    air = ~(view.hair | head)
     for piece in range(1, count):
-        nearest = np.where(pieces == piece, away, np.float32(np.inf)).min(axis=1)
-        clear[piece] = (nearest[np.isfinite(nearest)] > air_px).mean() >= LEAST_ALONE
+        own = pieces == piece
+        nearest = np.where(own, away, np.float32(np.inf)).min(axis=1)
+        spanned = np.logical_or.accumulate(own, axis=1) & np.logical_or.accumulate(own[:, ::-1], axis=1)[:, ::-1]
+        alone = (nearest > air_px) | ((air & spanned).sum(axis=1) > air_px)
+        clear[piece] = alone[np.isfinite(nearest)].mean() >= LEAST_ALONE
     return np.asarray(clear[pieces], np.bool_)
 
 

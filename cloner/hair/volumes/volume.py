@@ -14,7 +14,7 @@ from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, seen_votes, surface_mm
 from cloner.hair.volumes.gaps import without_gaps
-from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m
+from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m, usual_width_m
 from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
 from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
@@ -207,7 +207,7 @@ def hair_field(
     lain = lying_near(body, votes, points)
     skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
     grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
-    hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp), hang_below_m)
+    hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp), usual_width_m(scalp), hang_below_m)
     hanging = np.where(low, np.maximum(hanging, cap_mm(views, lain)), hanging)
     if tail is not None:
         grown = np.maximum(grown, tail_mm(views, tail, points))

@@ -28,6 +28,7 @@ NECK_SHARE: Final = 1.5  # of the neck's half width: collars stand around it
 SOFT_M: Final = 0.006  # a collar's edge fades over a vertex or two
 KEPT_M, PLAIN_M = 0.02, 0.10  # surfaces go on as seen for 2 cm, beyond 10 cm they are plain
 FALL: Final = 0.3  # taste: a shirt's front goes on downwards rather than sideways
+THROAT_M: Final = 0.04  # taste: skin goes on so far aside above skin: the throat, not the nape
 BELOW_SKIN_M: Final = 0.02  # a neckline lies so far below the lowest skin that is seen
 #: Levels of what no photo tells (taste): a shirt; trousers and shoes, which are never lighter than what is worn above.
 SHIRT, TROUSERS, SHOES = np.array([[118, 122, 128], [52, 56, 66], [34, 32, 32]], np.float32)
@@ -62,6 +63,9 @@ def dress_unseen(
         ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare(generic, sources) < 0.5)
         ends = (ends.any(axis=0) | cloth) & _beside_neck(generic, vertices_m) & ~generic.region("scalp")
         collar = float(np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE))
+        shoulders = _shown(sources) & kinds.skin & ~_beside_neck(generic, vertices_m) & ~generic.segment("head")
+        if int(shoulders.sum()) < LEAST_CLOTH:  # a neckline that is low in front is not behind
+            collar = max(collar, _neck_base_m(generic, vertices_m))
     else:
         collar, covered = _neckline(generic, sources, kinds, vertices_m)
     below = covered * np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
@@ -124,11 +128,15 @@ def _shown_cloth(sources: list[Source], kinds: Materials) -> NDArray[np.bool_]:
     return np.asarray(_shown(sources) & (kinds.worn > 0.5), bool)
 
 
+def _neck_base_m(generic: GenericHuman, vertices_m: Array) -> float:
+    return float(vertices_m[generic.region("neck"), 1].min())
+
+
 def _neckline(
     generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array
 ) -> tuple[float, NDArray[np.bool_]]:
     """Return the height of a shirt's upper edge that covers nothing seen bare, metres, and what (V,) it may cover."""
-    neck_m = float(vertices_m[generic.region("neck"), 1].min())
+    neck_m = _neck_base_m(generic, vertices_m)
     bare = vertices_m[_shown(sources) & (kinds.bare > 0.5) & ~generic.segment("head"), 1]
     lowest_m = float(bare.min()) - BELOW_SKIN_M if bare.size else neck_m
     if lowest_m >= neck_m:
@@ -139,8 +147,9 @@ def _neckline(
 def _above_skin(sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph) -> NDArray[np.bool_]:
     """Return (V,) what lies above or close to the nearest surface that is seen, and that is bare: a throat in shade."""
     near = graph.nearest(_shown(sources))
-    close = np.linalg.norm(vertices_m - vertices_m[near], axis=1) < KEPT_M
-    return np.asarray((kinds.bare[near] > 0.5) & (close | (vertices_m[near, 1] < vertices_m[:, 1])), bool)
+    away = vertices_m - vertices_m[near]
+    above = (away[:, 1] > 0.0) & (np.linalg.norm(away[:, [0, 2]], axis=1) < THROAT_M)
+    return np.asarray((kinds.bare[near] > 0.5) & (above | (np.linalg.norm(away, axis=1) < KEPT_M)), bool)
 
 
 def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -21,6 +21,7 @@ from cloner.hair.volumes.volume import (
 )
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
+WIDE = (-0.08, 0.08)  # a head's sides
 DEEP = (-0.12, 0.12)
 
 
@@ -162,7 +163,7 @@ def test_a_front_photo_alone_lets_hair_stand_before_a_temple_only_if_it_goes_on_
 
     front.evidence = evidence
     temple = np.array([[0.07, 1.65, 0.05]])
-    field = hanging_mm([front], temple, np.array([15.0], np.float32), DEEP, ears_m)
+    field = hanging_mm([front], temple, np.array([15.0], np.float32), DEEP, WIDE, ears_m)
     assert (field[0] > 0.0) == kept
     assert seen_aside([front, _slab(ViewId.BODY_SIDE, 2, 100.0)])
     assert not seen_aside([front, _slab(ViewId.BODY_BACK, 0, 100.0)])
@@ -180,7 +181,31 @@ def test_long_hair_of_a_front_photo_alone_falls_beside_the_head_s_middle_however
     """Wide curtains of hair had holes beside the ears: on the skin they drape 25 mm thick and no more."""
     front, wide_m = _slab(ViewId.FACE_FRONT, 0, 150.0), np.array([[0.12, 1.62, 0.0], [0.12, 1.62, 0.08]])
     ears_m, off_mm = 1.6, np.array([40.0, 40.0], np.float32)
-    beside, before = hanging_mm([front], wide_m, off_mm, DEEP, ears_m)
+    beside, before = hanging_mm([front], wide_m, off_mm, DEEP, WIDE, ears_m)
     assert beside > 0.0 > before
     high = wide_m + (0.0, 0.1, 0.0)
-    assert (hanging_mm([front], high, off_mm, DEEP, ears_m) < 0.0).all()  # there it would stand as horns
+    assert (hanging_mm([front], high, off_mm, DEEP, WIDE, ears_m) < 0.0).all()  # there it would stand as horns
+
+
+@pytest.mark.parametrize("longer", [False, True])
+def test_hair_that_a_front_photo_shows_on_both_sides_of_the_neck_falls_behind_it(longer):
+    """Behind long curtains the nape was bare."""
+    front, ears_m = _slab(ViewId.FACE_FRONT, 0, 150.0), 1.6
+
+    def evidence(at):
+        hair = (np.abs(at[:, 0]) > 0.06) & (longer | (at[:, 1] > ears_m))
+        return np.where(hair, 20.0, -20.0).astype(np.float32), np.abs(at[:, 0]) > 0.06
+
+    front.evidence = evidence
+    nape, throat = np.array([[0.01, 1.55, -0.09]]), np.array([[0.01, 1.55, 0.09]])
+    off_mm = np.array([12.0], np.float32)
+    assert (hanging_mm([front], nape, off_mm, DEEP, WIDE, ears_m)[0] > 0.0) == longer
+    assert hanging_mm([front], throat, off_mm, DEEP, WIDE, ears_m)[0] < 0.0
+
+
+def test_hair_that_only_a_side_photo_shows_is_no_wider_than_the_head():
+    """A tail behind the shoulders, of which no back photo told, was a slab as wide as they are."""
+    aside = _slab(ViewId.FACE_SIDE, 2, 100.0)
+    behind = np.array([[x, 1.5, 0.0] for x in (0.0, 0.07, 0.12)])
+    field = hanging_mm([aside], behind, np.full(3, 5.0, np.float32), DEEP, WIDE, 1.6)
+    assert list(field > 0.0) == [True, True, False]

@@ -37,6 +37,14 @@ def test_the_dome_of_a_cap_is_no_tail(tail):
     assert np.array_equal(found(dome | tail)[150:], found(tail)[150:]), "the tail below stays what it is"
 
 
+def test_a_tail_with_its_root_and_the_nape_s_hair_in_one_piece_hangs(tail):
+    root = (np.abs(ROWS - 130) < 15) & (COLUMNS > 205) & (COLUMNS < 257) & ~HEAD
+    nape = (ROWS > 130) & (ROWS < 240) & (COLUMNS > 175) & (COLUMNS < 215) & ~HEAD
+    view = side_photo(tail | root | nape)
+    free = view.hair
+    assert hangs_clear(view, free, HEAD, np.zeros((1, 3)))[tail].all()
+
+
 def test_thick_hair_lies_on_the_head_all_the_way_down_and_a_tail_does_not(tail):
     thick = (np.hypot(ROWS - 150, COLUMNS - 170) < 85) & ~HEAD & (COLUMNS > 150) & (ROWS > 100)
     for hair, hangs in ((tail, True), (thick, False)):

@@ -67,6 +67,18 @@ def test_a_throat_in_the_chin_s_shade_is_no_collar(person):
     assert kinds.worn[shade].mean() < 0.15
 
 
+def test_a_neckline_that_is_low_in_front_is_not_behind(person):
+    generic, vertices, graph = person
+    base = float(vertices[generic.region("neck"), 1].min())
+    source = portrait(generic, vertices, base - 0.03)
+    source.score[np.abs(vertices[:, 0]) > 0.08] = 0.0  # hair hides the shoulders
+    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
+    back = generic.segment("torso") & (vertices[:, 2] < -0.06) & (vertices[:, 1] < base - 0.02)
+    assert back.sum() > 20
+    assert kinds.worn[back].min() > 0.95
+    assert kinds.worn[source.score > 0.0][vertices[source.score > 0.0, 1] > base - 0.01].max() < 0.05
+
+
 def test_nobody_is_naked_below_what_a_photo_shows_bare(person):
     generic, vertices, graph = person
     sources = [portrait(generic, vertices, 0.0)]
