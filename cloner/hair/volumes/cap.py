@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.abreast import ABREAST, abreast
-from cloner.frames import m_from_mm, mm_from_m
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.geometry.cameras.seeing import depth_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -44,6 +44,7 @@ THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this ag
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
+_ASIDE = (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,6 +54,8 @@ class Scalp:
     Attributes
     ----------
     points_m, normals : (N, 3)
+    lobes_m : (3,)
+        Middle between the ears' lobes.
     triangles : (T, 3) int32
     votes : (K, N) float64
         How much each photo's labels count at each vertex, zero where it does not see it.
@@ -64,6 +67,7 @@ class Scalp:
 
     points_m: Array
     normals: Array
+    lobes_m: Array
     triangles: NDArray[np.int32]
     votes: Array
     hairy: Array
@@ -98,7 +102,8 @@ def measure_scalp(
     tail : Tail or None
         Free hair; behind it no photo sees the skin.
     """
-    votes = np.stack([seen_votes(view, points_m, normals, tail) for view in views])
+    lobes_m = np.where([True, False, True], points_m[ears].mean(axis=0), points_m[ears].min(axis=0))
+    votes = np.stack([seen_votes(view, points_m, normals, tail, lobes_m) for view in views])
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
     line = np.stack([hairline_mm(view, points_m) for view in views])
     total = votes.sum(axis=0)
@@ -113,7 +118,8 @@ def measure_scalp(
     thickness = settle_cap(views, points_m, triangles, hairy, graph)
     # A skull may stand out of the photos' hair: no photo shows it, so it gives way.
     tucked = points_m + normals * m_from_mm(1.0) * np.minimum(thickness - THINNEST_MM * hairy, 0.0)[:, None]
-    return Scalp(tucked, normals, triangles, votes, hairy, growth, held(np.maximum(thickness, THINNEST_MM), hairy))
+    thickness = held(np.maximum(thickness, THINNEST_MM), hairy)
+    return Scalp(tucked, normals, lobes_m, triangles, votes, hairy, growth, thickness)
 
 
 def _with_unseen(
@@ -162,8 +168,19 @@ def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np
     return flags
 
 
-def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
-    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen."""
+def seen_votes(
+    view: HairView, points_m: Array, normals: Array, tail: Tail | None, lobes_m: Array | None = None
+) -> Array:
+    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen.
+
+    Parameters
+    ----------
+    points_m, normals : (N, 3)
+    tail : Tail or None
+        Behind it no photo sees the skin.
+    lobes_m : (3,), optional
+        Middle between the ears' lobes. What side photos show of the throat is the curtain of hair before it.
+    """
     posed = view.to_view(points_m)
     towards = view.posed.camera.position_m - posed
     towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
@@ -171,6 +188,9 @@ def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | Non
     depth = view.posed.camera.to_camera(posed)[:, 2]
     # NaN outside the picture: no vote.
     seen = (depth < depth_at(view.nearest_m, view.posed.camera.project(posed)) + DEPTH_SLACK_M) & (cosine > VOTE_COSINE)
+    if view.posed.view in _ASIDE and lobes_m is not None:
+        away = points_m - lobes_m
+        seen &= (away[:, 1] > 0.0) | (away[:, 2] < np.abs(away[:, 0]))  # else within 45 degrees of straight ahead
     if tail is not None:
         for step in TAIL_STEPS_M:
             before = view.to_rest(posed + step * towards)

@@ -197,7 +197,7 @@ def hair_field(
     """
     surface = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
     tail = find_tail(views, surface, scalp.triangles, middle_m)
-    votes = np.stack([seen_votes(view, *body, tail) for view in views])
+    votes = np.stack([seen_votes(view, *body, tail, scalp.lobes_m) for view in views])
     line = sum(vote * hairline_mm(view, body[0]) for view, vote in zip(views, votes, strict=True))
     lying = body[0][(line > 0.0) & (body[0][:, 1] < hang_below_m)]
     points, rows, shape = _worthwhile(views, scalp, lying, tail, low_m, high_m)

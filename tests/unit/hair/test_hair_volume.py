@@ -35,7 +35,7 @@ def _folded_sheet():
     folded = np.linalg.norm(points[triangles].mean(axis=1), axis=1) < FOLD_M
     triangles[folded] = triangles[folded][:, ::-1]
     up, one = np.tile([0.0, 0.0, 1.0], (len(points), 1)), np.ones(len(points))
-    return Scalp(points, up, triangles, one[None], one, one, THICK_MM * one)
+    return Scalp(points, up, np.zeros(3), triangles, one[None], one, one, THICK_MM * one)
 
 
 def test_no_hair_stands_off_a_folded_ear_farther_than_it_is_thick():

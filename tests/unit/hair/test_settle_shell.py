@@ -21,7 +21,7 @@ def _scalp(radius_m: float) -> Scalp:
     skull = _ball(radius_m)
     one = np.ones(len(skull.vertices))
     points = np.asarray(skull.vertices)
-    return Scalp(points, points / radius_m, np.asarray(skull.faces, np.int32), one[None], one, one, one)
+    return Scalp(points, points / radius_m, np.zeros(3), np.asarray(skull.faces, np.int32), one[None], one, one, one)
 
 
 def _settled(

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.edge import FADE_MM, unseen_inside_mm
-from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen, seen_votes
 
 GENERIC = load_generic()
 POINTS = GENERIC.vertices_m.astype(np.float64)
@@ -55,10 +58,32 @@ def test_the_film_beyond_an_unseen_hairline_fades_and_a_fall_of_hair_before_it_d
     hairy = SCALP.astype(float)
     none = np.zeros((1, len(POINTS)))
     normals = vertex_normals(POINTS, body_triangles())
-    scalp = Scalp(POINTS, normals, body_triangles(), none, hairy, hairy, 10.0 * hairy)
+    scalp = Scalp(POINTS, normals, POINTS.mean(axis=0), body_triangles(), none, hairy, hairy, 10.0 * hairy)
     crown, nape = GENERIC.feature("vertex_top"), GENERIC.feature("nape")
     film, fall = (POINTS[[crown, nape]] + away_m * normals[[crown, nape]] for away_m in (0.002, 0.02))
     on_crown, on_nape = unseen_inside_mm(scalp, film)
     assert on_crown > FADE_MM[1]
     assert on_nape < FADE_MM[0]
     assert (unseen_inside_mm(scalp, fall) == VOTE_MM).all()
+
+
+@pytest.mark.parametrize("view", [ViewId.BODY_SIDE, ViewId.FACE_FRONT])
+def test_what_a_side_photo_shows_of_a_throat_is_the_hair_before_it(view):
+    """Between long curtains a band of hair lay below the chin, where no front photo looks."""
+    sideways = np.array([2.0, 1.5, 0.5])
+    camera = SimpleNamespace(
+        position_m=sideways,
+        to_camera=lambda at: np.column_stack([at[:, :2], np.linalg.norm(at - sideways, axis=1)]),
+        project=lambda at: np.full((len(at), 2), 2.0),
+    )
+    seen = SimpleNamespace(
+        posed=SimpleNamespace(view=view, camera=camera), nearest_m=np.full((5, 5), 9.0, np.float32),
+        to_view=lambda at: at, turn=lambda at: at,
+    )  # fmt: skip
+    normals, lobes_m = vertex_normals(POINTS, body_triangles()), POINTS[GENERIC.feature("ear_lobe_L")] * (0.0, 1.0, 1.0)
+    free, bound = (seen_votes(seen, POINTS, normals, None, lobes) for lobes in (None, lobes_m))
+    throat = np.linalg.norm(POINTS - POINTS[GENERIC.feature("chin_bottom")] + (0.0, 0.02, 0.02), axis=1) < 0.04
+    nape = np.linalg.norm(POINTS - POINTS[GENERIC.feature("nape")], axis=1) < 0.03
+    assert free[throat].max() > 0.05
+    assert (bound[throat].max() == 0.0) == (view is ViewId.BODY_SIDE)
+    assert np.array_equal(bound[nape], free[nape])
