@@ -33,7 +33,7 @@ from cloner.paint.details.lid_skin import clean_lids
 from cloner.paint.details.nostrils import darken_nostrils
 from cloner.paint.details.parts import face_rgb, paint_parts
 from cloner.paint.details.tucking import tuck_scalp
-from cloner.paint.details.undressed import clothe_beyond, dress_unseen, near_sight, only_faces
+from cloner.paint.details.unseen_clothes import clothe_beyond, dress_unseen, near_sight, only_faces
 from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
 from cloner.paint.lookups.evened import (
     compare_photos,

@@ -14,12 +14,12 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.lookups.materials import Materials, goes_on, hands_beyond_cuffs, shown_bare
+from cloner.paint.lookups.materials import Materials, hands_beyond_cuffs, shown_bare
 from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS
-from cloner.vision.retouching.evening import log_levels
+from cloner.vision.retouching.evening import beyond_light, log_levels
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
@@ -32,6 +32,8 @@ THROAT_M: Final = 0.04  # taste: skin goes on so far aside above skin: the throa
 BELOW_SKIN_M: Final = 0.02  # a neckline lies so far below the lowest skin that is seen
 #: Levels of what no photo tells (taste): a shirt; trousers and shoes, which are never lighter than what is worn above.
 SHIRT, TROUSERS, SHOES = np.array([[118, 122, 128], [52, 56, 66], [34, 32, 32]], np.float32)
+#: Of what light does to one thing (taste): nearer to the skin's colour cloth looks like skin; white beside pale has .9.
+AS_SKIN: Final = 0.5
 #: Pixels of cloth in a photo from which their colour is a garment's, though it lies on no surface.
 LEAST_PIXELS: Final = 400
 #: Levels that count as one colour (taste).
@@ -69,7 +71,7 @@ def dress_unseen(
     else:
         collar, covered = _neckline(generic, sources, kinds, vertices_m)
     below = covered * np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
-    below[_above_skin(sources, kinds, vertices_m, graph)] = 0.0
+    below[_above_skin(generic, sources, kinds, vertices_m, graph)] = 0.0
     worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, below)
     worn[np.concatenate(hands_beyond_cuffs(generic))] = 0.0
     return replace(kinds, bare=1.0 - worn, worn=worn)
@@ -98,7 +100,7 @@ def clothe_beyond(
     skin = seen & (kinds.bare > 0.5) & (kinds.scalp < 0.5)
     if int(skin.sum()) >= LEAST_CLOTH:
         found[0] += _far(graph.distance_from(skin, PLAIN_M)) * (_commonest(base[0][skin]) - base[0])
-    cloth = _shown_cloth(sources, kinds)
+    cloth = _shown_cloth(sources, kinds) & ~_as_skin(base[2], base[0][skin])
     if int(cloth.sum()) >= LEAST_CLOTH:
         low = cloth & (vertices_m[:, 1] <= np.median(vertices_m[cloth, 1]))  # a collar's trim is no shirt
         plain = _commonest(base[2][low])
@@ -144,12 +146,23 @@ def _neckline(
     return lowest_m, ~_any_segment(generic, ("arm", "hand"))
 
 
-def _above_skin(sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph) -> NDArray[np.bool_]:
-    """Return (V,) what lies above or close to the nearest surface that is seen, and that is bare: a throat in shade."""
-    near = graph.nearest(_shown(sources))
-    away = vertices_m - vertices_m[near]
-    above = (away[:, 1] > 0.0) & (np.linalg.norm(away[:, [0, 2]], axis=1) < THROAT_M)
-    return np.asarray((kinds.bare[near] > 0.5) & (above | (np.linalg.norm(away, axis=1) < KEPT_M)), bool)
+def _above_skin(
+    generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph
+) -> NDArray[np.bool_]:
+    """Return (V,) what lies close to skin that is seen, or above it at the neck: a throat in the chin's shade."""
+    bare = _shown(sources) & (kinds.bare > 0.5)
+    found = graph.distance_from(bare, KEPT_M) < KEPT_M
+    low = np.flatnonzero(bare & ~generic.segment("head"))
+    rows = np.flatnonzero(
+        ~found & _beside_neck(generic, vertices_m) & (vertices_m[:, 1] > vertices_m[low, 1].min(initial=np.inf))
+    )
+    if rows.size:
+        below = cKDTree(vertices_m[low][:, [0, 2]]).query_ball_point(vertices_m[rows][:, [0, 2]], THROAT_M)
+        found[rows] = [
+            vertices_m[low[near], 1].min(initial=np.inf) < height
+            for near, height in zip(below, vertices_m[rows, 1], strict=True)
+        ]
+    return found
 
 
 def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -161,11 +174,15 @@ def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDA
     """
     worn = [s.plate.rgb[np.isin(s.plate.labels, GARMENTS)] for s in sources if not s.mirrored]
     pixels = np.concatenate(worn).astype(np.float32)
-    if len(pixels) < LEAST_PIXELS:
-        return np.asarray(SHIRT, np.float32)
-    found = _commonest(pixels)
-    as_skin = bool(len(skin_rgb)) and goes_on(found, np.median(log_levels(skin_rgb), axis=0))
-    return np.asarray(SHIRT if as_skin else found, np.float32)
+    found = _commonest(pixels) if len(pixels) >= LEAST_PIXELS else SHIRT
+    return np.asarray(SHIRT if _as_skin(found, skin_rgb) else found, np.float32)
+
+
+def _as_skin(rgb: NDArray[np.float32], skin_rgb: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which colours (..., 3) are those of skin (N, 3), levels: a shirt of them would look like none."""
+    if not len(skin_rgb):
+        return np.zeros(rgb.shape[:-1], bool)
+    return np.asarray(beyond_light(log_levels(rgb) - np.median(log_levels(skin_rgb), axis=0)) < AS_SKIN, bool)
 
 
 def _fall(
