@@ -99,7 +99,9 @@ def run(
     views = hair_views(generic, joined, proposals, silhouettes)
     body, on_scalp = body_triangles(), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
-    views = with_whole_coverings(views, photos.photos, proposals, *scalp)
+    neck = joined.vertices_m[generic.region("neck")]
+    neck_m = np.array([neck[:, 0].mean(), neck[:, 1].min(), neck[:, 2].mean()])
+    views = with_whole_coverings(views, photos.photos, proposals, *scalp, neck_m)
     alike, odd = with_like_amounts(generic, joined, views)
     hair = grow_hair(photos, proposals, alike, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.clothing.hoods import seen_scalp
+from cloner.hair.clothing.hoods import HOOD, hood_on, seen_scalp
 from cloner.hair.volumes.views import HairView, distances_px
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
@@ -21,10 +21,10 @@ from cloner.records.points import Proposals
 Bools = NDArray[np.bool_]
 
 #: Something is worn where more than this of the scalp that all photos show is labelled so, and not as hair; and where
-#: more of that than `HOOD_SHARE` is clothes, it is a hood, which belongs to them.
+#: more of that than `HOOD_SHARE` is clothes, it is a hood.
 WORN_SHARE: Final = 0.35
 HOOD_SHARE: Final = 0.85
-#: Nor is anything looked for where less than this share of what grows on the head is worn: glasses.
+#: Nor is anything where less than this share of the scalp is: glasses, an alice band.
 LEAST_WORN: Final = 0.1
 #: A covering's colour varies by so many times its spread (robust deviation in CIELAB, within these bounds): light and
 #: folds change lightness more than hue.
@@ -49,11 +49,12 @@ def with_whole_coverings(
     scalp_m: Array,
     normals: Array,
     triangles: NDArray[np.int32],
+    neck_m: Array,
 ) -> list[HairView]:
     """Return the evidence in which what covers a head is all hair's: its label changes within one piece of cloth.
 
     Whether something is worn, all photos tell together. Where it ends, each photo tells by its colours: what is joined
-    to the cloth on the scalp and looks as it does is the same cloth.
+    to the cloth on the scalp and looks as it does is the same cloth; a hood ends at the neck, and is clothes below.
 
     Parameters
     ----------
@@ -61,20 +62,25 @@ def with_whole_coverings(
     photos, proposals
     scalp_m, normals : (N, 3)
     triangles : (T, 3) of the scalp
+    neck_m : (3,) the neck's base
     """
     straight = [view for view in views if view.flip_m is None]
     labels = {view.posed.view: proposals.views[view.posed.view].labels for view in straight}
-    accessories = sum(int(np.count_nonzero(one == Label.ACCESSORY)) for one in labels.values())
-    if accessories < LEAST_WORN * sum(int(view.hair.sum()) for view in straight):
-        return views
     places = {view.posed.view: seen_scalp(view, scalp_m, normals, triangles) for view in straight}
     worn, clothed, hairy = (
         sum(int(np.count_nonzero(shows(labels[view], *kinds) & place)) for view, place in places.items())
         for kinds in ((Label.ACCESSORY,), CLOTHES, (Label.HAIR,))
     )
-    if worn + clothed < WORN_SHARE * (worn + clothed + hairy) or worn < (1.0 - HOOD_SHARE) * (worn + clothed):
+    whole = sum(int(np.count_nonzero(place)) for place in places.values())
+    hood = worn < (1.0 - HOOD_SHARE) * (worn + clothed)
+    least = HOOD if hood else LEAST_WORN
+    if worn + clothed <= max(WORN_SHARE * (worn + clothed + hairy), least * whole):
         return views
-    cloth = {view: covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
+    if hood:
+        rows = {one.posed.view: one.posed.camera.project(one.to_view(neck_m[None]))[0, 1] for one in straight}
+        cloth = {view: hood_on(labels[view], place, rows[view]) for view, place in places.items()}
+    else:
+        cloth = {view: covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
     found = []
     for view in views:
         own = cloth[view.posed.view] & ~view.hair

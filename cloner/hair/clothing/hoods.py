@@ -1,4 +1,7 @@
-"""Hoods and patches: clothes on a scalp are a hood in all photos, or a mistake in one."""
+"""Hoods and patches: clothes on a scalp are a hood in all photos, or a mistake in one.
+
+A hood has a volume as hair has, down to the neck; from there on it is the garment's.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.hair.volumes.views import HairView, cover, distances_px
 from cloner.records.arrays import Array
+from cloner.records.labels import CLOTHES, shows
 from cloner.vision.segmentation.pieces import pieces_of
 
 HOOD = 0.5  # of the scalp that photos show clothed
@@ -41,6 +45,25 @@ def without_hoods(
             hair, to_hair, to_hairline, _ = distances_px(view.hair | wrong, view.outline_px > 0.0)
             view = replace(view, hair=hair, hair_px=to_hair, line_px=to_hairline)
         found.append(view)
+    return found
+
+
+def hood_on(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: float) -> NDArray[np.bool_]:
+    """Return (H, W) the hood of a photo: clothes joined to those on the scalp, above the row of the neck's base.
+
+    Parameters
+    ----------
+    labels : (H, W) uint8
+    scalp : (H, W) bool
+        Pixels before which the scalp lies.
+    """
+    worn = shows(labels, *CLOTHES)
+    worn[max(int(np.ceil(neck_px)), 0) :] = False
+    box, pieces, figures = pieces_of(worn)
+    on_head = np.bincount(pieces[scalp[box] & worn[box]], minlength=len(figures)) > 0
+    on_head[0] = False
+    found = np.zeros(labels.shape, np.bool_)
+    found[box] = on_head[pieces]
     return found
 
 

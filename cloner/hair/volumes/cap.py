@@ -44,7 +44,7 @@ THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this ag
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
-_ASIDE = (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
+_FRONT, _ASIDE = (ViewId.BODY_FRONT, ViewId.FACE_FRONT), (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,7 +103,7 @@ def measure_scalp(
         Free hair; behind it no photo sees the skin.
     """
     lobes_m = np.where([True, False, True], points_m[ears].mean(axis=0), points_m[ears].min(axis=0))
-    votes = np.stack([seen_votes(view, points_m, normals, tail, lobes_m) for view in views])
+    votes = believed_votes(views, points_m, normals, tail, lobes_m)
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
     line = np.stack([hairline_mm(view, points_m) for view in views])
     total = votes.sum(axis=0)
@@ -168,19 +168,25 @@ def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np
     return flags
 
 
-def seen_votes(
-    view: HairView, points_m: Array, normals: Array, tail: Tail | None, lobes_m: Array | None = None
-) -> Array:
-    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen.
+def believed_votes(views: list[HairView], points_m: Array, normals: Array, tail: Tail | None, lobes_m: Array) -> Array:
+    """Return (K, N) how much the photos' labels count.
 
-    Parameters
-    ----------
-    points_m, normals : (N, 3)
-    tail : Tail or None
-        Behind it no photo sees the skin.
-    lobes_m : (3,), optional
-        Middle between the ears' lobes. What side photos show of the throat is the curtain of hair before it.
+    What side photos show of a throat is the curtain of hair before it, unless front photos see the throat covered.
+
+    Points (N, 3) are the skin's; ``lobes_m`` (3,) is the middle between the ears' lobes.
     """
+    votes = np.stack([seen_votes(view, points_m, normals, tail) for view in views])
+    away = points_m - lobes_m
+    throat = (away[:, 1] < 0.0) & (away[:, 2] > np.abs(away[:, 0]))  # within 45 degrees of straight ahead
+    front, aside = (np.array([view.posed.view in of for view in views]) for of in (_FRONT, _ASIDE))
+    shown = [vote[throat] @ hairline_mm(view, points_m[throat]) for view, vote in zip(views, votes, strict=True)]
+    if np.sum(np.array(shown)[front]) <= 0.0:
+        votes[np.ix_(aside, throat)] = 0.0
+    return votes
+
+
+def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
+    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen."""
     posed = view.to_view(points_m)
     towards = view.posed.camera.position_m - posed
     towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
@@ -188,9 +194,6 @@ def seen_votes(
     depth = view.posed.camera.to_camera(posed)[:, 2]
     # NaN outside the picture: no vote.
     seen = (depth < depth_at(view.nearest_m, view.posed.camera.project(posed)) + DEPTH_SLACK_M) & (cosine > VOTE_COSINE)
-    if view.posed.view in _ASIDE and lobes_m is not None:
-        away = points_m - lobes_m
-        seen &= (away[:, 1] > 0.0) | (away[:, 2] < np.abs(away[:, 0]))  # else within 45 degrees of straight ahead
     if tail is not None:
         for step in TAIL_STEPS_M:
             before = view.to_rest(posed + step * towards)

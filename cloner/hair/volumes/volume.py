@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, seen_votes, surface_mm
+from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, believed_votes, hairline_mm, surface_mm
 from cloner.hair.volumes.gaps import without_gaps
 from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m, usual_width_m
 from cloner.hair.volumes.rows import SIDES, agreed_mm
@@ -197,7 +197,7 @@ def hair_field(
     """
     surface = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
     tail = find_tail(views, surface, scalp.triangles, middle_m)
-    votes = np.stack([seen_votes(view, *body, tail, scalp.lobes_m) for view in views])
+    votes = believed_votes(views, *body, tail, scalp.lobes_m)
     line = sum(vote * hairline_mm(view, body[0]) for view, vote in zip(views, votes, strict=True))
     lying = body[0][(line > 0.0) & (body[0][:, 1] < hang_below_m)]
     points, rows, shape = _worthwhile(views, scalp, lying, tail, low_m, high_m)

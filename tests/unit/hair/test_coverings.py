@@ -1,4 +1,4 @@
-"""A headscarf whose labels change within the cloth is one thing again; hair and clothes of other colours stay."""
+"""A headscarf whose labels change within the cloth is one thing again, a hood is worn; hair and other clothes stay."""
 
 from __future__ import annotations
 
@@ -56,19 +56,40 @@ def test_the_cloth_is_found_whole_and_ends_at_face_and_top():
 
 @pytest.mark.parametrize("scarf", [Label.ACCESSORY, Label.HAIR, Label.UPPER_CLOTHES])
 def test_only_what_is_worn_becomes_whole(scarf, monkeypatch):
-    """Hair stays what its labels say, and a hood belongs to the clothes."""
+    """Hair stays what its labels say; a hood has a volume as hair has, down to the neck, where it is the garment's."""
     monkeypatch.setattr(coverings, "seen_scalp", lambda *_: SCALP)
+    monkeypatch.setattr(HairView, "to_view", lambda self, points: points)
     labels = labelled(scarf=scarf)
     hair = (labels == Label.HAIR) | (labels == Label.ACCESSORY)
     far = np.zeros((SIZE, SIZE), np.float32)
-    posed = SimpleNamespace(view=ViewId.FACE_FRONT)
+    posed = SimpleNamespace(
+        view=ViewId.FACE_FRONT, camera=SimpleNamespace(project=lambda at: np.array([[100.0, 120.0]]))
+    )
     view = HairView(posed, np.eye(4)[None], None, far, *distances_px(hair, labels > 0), labels == Label.UPPER_CLOTHES)
     proposals = Proposals({ViewId.FACE_FRONT: SimpleNamespace(view=ViewId.FACE_FRONT, labels=labels)})
     photos = {ViewId.FACE_FRONT: SimpleNamespace(rgb=picture())}
     nothing = np.zeros((0, 3))
-    (seen,) = with_whole_coverings([view], photos, proposals, nothing, nothing, np.zeros((0, 3), np.int32))
+    scalp = nothing, nothing, np.zeros((0, 3), np.int32)
+    (seen,) = with_whole_coverings([view], photos, proposals, *scalp, np.zeros(3))
     if scarf == Label.ACCESSORY:
         assert (seen.hair & SCARF & ~FACE).sum() > 0.97 * (SCARF & ~FACE).sum()
         assert not (seen.clothed & seen.hair).any()
+    elif scarf == Label.UPPER_CLOTHES:
+        hood = SCARF & ~FACE & (np.arange(SIZE) < 120)[:, None]
+        assert np.array_equal(seen.hair, hood)
+        assert seen.clothed[120:].any()
+        assert not (seen.clothed & seen.hair).any()
     else:
         assert seen is view
+
+
+@pytest.mark.parametrize("thing", [Label.ACCESSORY, Label.UPPER_CLOTHES])
+def test_glasses_and_a_patch_on_a_bald_head_are_no_covering(thing, monkeypatch):
+    monkeypatch.setattr(coverings, "seen_scalp", lambda *_: SCALP)
+    labels = labelled(scarf=Label.FACE_SKIN)
+    labels[72:76, 70:130] = thing
+    view = SimpleNamespace(posed=SimpleNamespace(view=ViewId.FACE_FRONT), flip_m=None)
+    proposals = Proposals({ViewId.FACE_FRONT: SimpleNamespace(view=ViewId.FACE_FRONT, labels=labels)})
+    scalp = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3), np.int32)
+    views = [view]
+    assert with_whole_coverings(views, {}, proposals, *scalp, np.zeros(3)) is views

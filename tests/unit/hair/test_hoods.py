@@ -9,6 +9,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.hair.clothing import hoods
 from cloner.hair.volumes.views import HairView, distances_px
+from cloner.records.labels import Label
 
 SIZE = 60
 SCALP = np.zeros((SIZE, SIZE), bool)
@@ -68,3 +69,16 @@ def test_a_neck_below_a_high_hairline_stays_skin():
     nothing = np.zeros((0, 3))
     found = hoods.without_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))[1]
     assert np.array_equal(found.hair, SCALP & ~neck)
+
+
+def test_a_hood_is_the_clothes_on_the_head_down_to_the_neck():
+    labels = np.zeros((SIZE, SIZE), np.uint8)
+    labels[8:58, 10:50] = Label.UPPER_CLOTHES
+    labels[14:34, 20:40] = Label.FACE_SKIN
+    labels[5:12, 52:58] = Label.UPPER_CLOTHES  # a raised hand's sleeve
+    found = hoods.hood_on(labels, SCALP, 35.2)
+    wanted = labels == Label.UPPER_CLOTHES
+    wanted[36:] = False
+    wanted[:, 52:] = False
+    assert np.array_equal(found, wanted)
+    assert not hoods.hood_on(labels, SCALP, 0.0).any()

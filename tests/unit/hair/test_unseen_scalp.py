@@ -13,7 +13,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.edge import FADE_MM, unseen_inside_mm
-from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen, seen_votes
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen, believed_votes, seen_votes
 
 GENERIC = load_generic()
 POINTS = GENERIC.vertices_m.astype(np.float64)
@@ -67,23 +67,33 @@ def test_the_film_beyond_an_unseen_hairline_fades_and_a_fall_of_hair_before_it_d
     assert (unseen_inside_mm(scalp, fall) == VOTE_MM).all()
 
 
-@pytest.mark.parametrize("view", [ViewId.BODY_SIDE, ViewId.FACE_FRONT])
-def test_what_a_side_photo_shows_of_a_throat_is_the_hair_before_it(view):
-    """Between long curtains a band of hair lay below the chin, where no front photo looks."""
-    sideways = np.array([2.0, 1.5, 0.5])
-    camera = SimpleNamespace(
-        position_m=sideways,
-        to_camera=lambda at: np.column_stack([at[:, :2], np.linalg.norm(at - sideways, axis=1)]),
-        project=lambda at: np.full((len(at), 2), 2.0),
-    )
-    seen = SimpleNamespace(
-        posed=SimpleNamespace(view=view, camera=camera), nearest_m=np.full((5, 5), 9.0, np.float32),
-        to_view=lambda at: at, turn=lambda at: at,
-    )  # fmt: skip
+@pytest.mark.parametrize("covered", [False, True])
+def test_what_a_side_photo_shows_of_a_throat_is_the_hair_before_it_unless_it_is_covered(covered):
+    """Between long curtains a band of hair lay below the chin, where no front photo looks; a headscarf lies there."""
+
+    def photo(view, position, line):
+        position = np.array(position)
+        camera = SimpleNamespace(
+            position_m=position,
+            to_camera=lambda at: np.column_stack([at[:, :2], np.linalg.norm(at - position, axis=1)]),
+            project=lambda at: np.full((len(at), 2), 2.0),
+        )
+        return SimpleNamespace(
+            posed=SimpleNamespace(view=view, camera=camera), nearest_m=np.full((5, 5), 9.0, np.float32),
+            line_px=np.full((5, 5), line, np.float32), pixel_mm=lambda at: 1.0, to_view=lambda at: at,
+            turn=lambda at: at,
+        )  # fmt: skip
+
+    views = [
+        photo(ViewId.BODY_SIDE, (2.0, 1.5, 0.5), 10.0),
+        photo(ViewId.FACE_FRONT, (0.0, 1.5, 2.0), 10.0 if covered else -10.0),
+    ]
     normals, lobes_m = vertex_normals(POINTS, body_triangles()), POINTS[GENERIC.feature("ear_lobe_L")] * (0.0, 1.0, 1.0)
-    free, bound = (seen_votes(seen, POINTS, normals, None, lobes) for lobes in (None, lobes_m))
+    free = np.stack([seen_votes(view, POINTS, normals, None) for view in views])
+    found = believed_votes(views, POINTS, normals, None, lobes_m)
     throat = np.linalg.norm(POINTS - POINTS[GENERIC.feature("chin_bottom")] + (0.0, 0.02, 0.02), axis=1) < 0.04
     nape = np.linalg.norm(POINTS - POINTS[GENERIC.feature("nape")], axis=1) < 0.03
-    assert free[throat].max() > 0.05
-    assert (bound[throat].max() == 0.0) == (view is ViewId.BODY_SIDE)
-    assert np.array_equal(bound[nape], free[nape])
+    assert free[0, throat].max() > 0.05
+    assert (found[0, throat].max() > 0.0) == covered
+    assert np.array_equal(found[:, nape], free[:, nape])
+    assert np.array_equal(found[1], free[1])
