@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.hair.volumes.views import HairView, cover, distances_px
 from cloner.records.arrays import Array
-from cloner.records.labels import CLOTHES, shows
+from cloner.records.labels import GARMENTS, shows
 from cloner.vision.segmentation.pieces import pieces_of
 
 HOOD = 0.5  # of the scalp that photos show clothed
@@ -57,7 +57,7 @@ def hood_on(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: float)
     scalp : (H, W) bool
         Pixels before which the scalp lies.
     """
-    worn = shows(labels, *CLOTHES)
+    worn = shows(labels, *GARMENTS)
     worn[max(int(np.ceil(neck_px)), 0) :] = False
     box, pieces, figures = pieces_of(worn)
     on_head = np.bincount(pieces[scalp[box] & worn[box]], minlength=len(figures)) > 0

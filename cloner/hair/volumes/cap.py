@@ -102,7 +102,8 @@ def measure_scalp(
     tail : Tail or None
         Free hair; behind it no photo sees the skin.
     """
-    lobes_m = np.where([True, False, True], points_m[ears].mean(axis=0), points_m[ears].min(axis=0))
+    lobes_m = points_m[ears].mean(axis=0)
+    lobes_m[1] = points_m[ears, 1].min()
     votes = believed_votes(views, points_m, normals, tail, lobes_m)
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
     line = np.stack([hairline_mm(view, points_m) for view in views])
