@@ -16,6 +16,7 @@ DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the 
 DRAPE_DOUBT_MM = 4.0  # without it a ponytail had a skirt of 5 cm, a cap a peak of hair behind
 BESIDE_MM = 35.0  # taste: and so far before and behind the head's middle where it stands off beside head and neck
 FALLS_FROM_MM = 90.0  # taste: from no higher over the ears' middle, lower where it stands off: no horns on a cap
+CURTAINS = (1.0, 1.25, 1.5)  # taste: of half the head's width, how far aside hair hangs that falls behind as well
 BELOW_EARS_MM = 10.0  # taste: hair that goes on so far below the ears' middle hangs
 
 
@@ -91,6 +92,10 @@ def _behind_mm(
     field = np.full(len(points_m), -FAR_MM, np.float32)
     hidden = (points_m[:, 2] < 0.5 * (deep_m[0] + deep_m[1])) & (points_m[:, 1] < low_m)
     rows = np.flatnonzero(hidden & (points_m[:, 0] > wide_m[0]) & (points_m[:, 0] < wide_m[1]))
-    beside = [np.column_stack([np.full(rows.size, x_m), points_m[rows, 1:]]) for x_m in wide_m]
-    field[rows] = np.minimum(*(agreed_mm(views, points, deep_m)[0] for points in beside))
+    middle_m, beside = 0.5 * (wide_m[0] + wide_m[1]), np.full((2, rows.size), -FAR_MM, np.float32)
+    for depth, x_m in zip(beside, wide_m, strict=True):
+        for reach in CURTAINS:
+            aside = np.column_stack([np.full(rows.size, middle_m + reach * (x_m - middle_m)), points_m[rows, 1:]])
+            np.maximum(depth, agreed_mm(views, aside, deep_m)[0], out=depth)
+    field[rows] = beside.min(axis=0)
     return field

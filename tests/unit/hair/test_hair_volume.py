@@ -187,13 +187,14 @@ def test_long_hair_of_a_front_photo_alone_falls_beside_the_head_s_middle_however
     assert (hanging_mm([front], high, off_mm, DEEP, WIDE, ears_m) < 0.0).all()  # there it would stand as horns
 
 
+@pytest.mark.parametrize("from_m", [0.06, 0.1])
 @pytest.mark.parametrize("longer", [False, True])
-def test_hair_that_a_front_photo_shows_on_both_sides_of_the_neck_falls_behind_it(longer):
+def test_hair_that_a_front_photo_shows_on_both_sides_of_the_neck_falls_behind_it(longer, from_m):
     """Behind long curtains the nape was bare."""
     front, ears_m = _slab(ViewId.FACE_FRONT, 0, 150.0), 1.6
 
     def evidence(at):
-        hair = (np.abs(at[:, 0]) > 0.06) & (longer | (at[:, 1] > ears_m))
+        hair = (np.abs(at[:, 0]) > from_m) & (longer | (at[:, 1] > ears_m))
         return np.where(hair, 20.0, -20.0).astype(np.float32), np.abs(at[:, 0]) > 0.06
 
     front.evidence = evidence
