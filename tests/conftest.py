@@ -35,7 +35,6 @@ def cloned_anna(tmp_path_factory: pytest.TempPathFactory) -> CloneOutcome:
 
     All processes of one run share it: the first that asks makes it, the others wait and read what it kept.
     """
-    import cloner.evaluate.measuring  # noqa: F401 - teaches pickle the read-only mappings of records
     from cloner.cloning import clone_folder
     from cloner.exporters.table import EXPORTERS
 

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import copyreg
 import multiprocessing
 import time
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,15 +22,6 @@ from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 from cloner.records.silhouettes import SilhouetteSet
-
-
-def _read_only(mapping: dict[object, object]) -> MappingProxyType[object, object]:
-    """Return a read-only view; the class itself has no importable name."""
-    return MappingProxyType(mapping)
-
-
-# Records hold their mappings in MappingProxyType, which pickle does not know.
-copyreg.pickle(MappingProxyType, lambda proxy: (_read_only, (dict(proxy),)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

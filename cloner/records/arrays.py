@@ -1,7 +1,9 @@
-"""What modules call an array, and checks that make arrays inside frozen records truly immutable."""
+"""What modules call an array, checks that make arrays inside frozen records truly immutable, and how records travel."""
 
 from __future__ import annotations
 
+import copyreg
+from types import MappingProxyType
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -9,6 +11,15 @@ from numpy.typing import DTypeLike, NDArray
 
 #: Its shape and unit stand where it is taken or given.
 Array = NDArray[np.float64]
+
+
+def _read_only(mapping: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    """Return a read-only view; the class itself has no importable name."""
+    return MappingProxyType(mapping)
+
+
+# Records hold their mappings in MappingProxyType, which pickle does not know: they go to other processes.
+copyreg.pickle(MappingProxyType, lambda proxy: (_read_only, (dict(proxy),)))
 
 
 def frozen_array(value: Any, name: str, dtype: DTypeLike, shape: tuple[int | None, ...]) -> NDArray[Any]:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import copyreg
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,18 +16,6 @@ from cloner.records.clones import Clone
 Floats = NDArray[np.float32]
 Pixels = NDArray[np.uint8]
 Rgb = tuple[float, float, float]
-
-
-def _read_only(told: dict[Any, Any]) -> MappingProxyType[Any, Any]:
-    return MappingProxyType(told)
-
-
-def _sent(told: MappingProxyType[Any, Any]) -> tuple[Callable[..., MappingProxyType[Any, Any]], tuple[Any, ...]]:
-    """Return how a read-only mapping is made again in another process: clones hold some."""
-    return _read_only, (dict(told),)
-
-
-copyreg.pickle(MappingProxyType, _sent)
 
 
 def received(clone: Clone) -> Clone:

@@ -40,7 +40,7 @@ def without_hoods(
         return views
     found = []
     for view, place in zip(views, places, strict=True):
-        wrong = _lying_on(view.clothed, place)
+        wrong = _lying_on(view.clothed, place, 0.5) & place
         if wrong.any():
             hair, to_hair, to_hairline, _ = distances_px(view.hair | wrong, view.outline_px > 0.0)
             view = replace(view, hair=hair, hair_px=to_hair, line_px=to_hairline)
@@ -59,23 +59,18 @@ def hood_on(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: float)
     """
     worn = shows(labels, *GARMENTS)
     worn[max(int(np.ceil(neck_px)), 0) :] = False
-    box, pieces, figures = pieces_of(worn)
-    on_head = np.bincount(pieces[scalp[box] & worn[box]], minlength=len(figures)) > 0
-    on_head[0] = False
-    found = np.zeros(labels.shape, np.bool_)
-    found[box] = on_head[pieces]
-    return found
+    return _lying_on(worn, scalp, 0.0)
 
 
-def _lying_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) the pieces that lie on a place by more than half, as far as they do."""
+def _lying_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
+    """Return (H, W) the pieces that lie on a place by more than a share of their area."""
     box, pieces, figures = pieces_of(clothed)
     inside = np.bincount(pieces[place[box]], minlength=len(figures))
-    most = inside > 0.5 * figures[:, cv2.CC_STAT_AREA]
+    most = inside > share * figures[:, cv2.CC_STAT_AREA]
     most[0] = False
     found = np.zeros(clothed.shape, np.bool_)
     found[box] = most[pieces]
-    return found & place
+    return found
 
 
 def seen_scalp(view: HairView, scalp_m: Array, normals: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:

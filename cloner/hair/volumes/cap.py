@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.abreast import ABREAST, abreast
-from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.cameras.seeing import depth_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.tail import Tail
-from cloner.hair.volumes.views import MASK_SCALE, HairView, cover_cut
+from cloner.hair.volumes.views import MASK_SCALE, SIDES, HairView, cover_cut
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
@@ -44,7 +44,6 @@ THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this ag
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
-_FRONT, _ASIDE = (ViewId.BODY_FRONT, ViewId.FACE_FRONT), (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,9 +103,8 @@ def measure_scalp(
     """
     lobes_m = points_m[ears].mean(axis=0)
     lobes_m[1] = points_m[ears, 1].min()
-    votes = believed_votes(views, points_m, normals, tail, lobes_m)
+    votes, line = believed_votes(views, points_m, normals, tail, lobes_m)
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
-    line = np.stack([hairline_mm(view, points_m) for view in views])
     total = votes.sum(axis=0)
     mean = (votes * line).sum(axis=0) / np.maximum(total, 1e-9)
     mean = graph.fill(mean[:, None], np.clip(total, 0.0, 1.0), 0.02)[:, 0]
@@ -169,21 +167,24 @@ def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np
     return flags
 
 
-def believed_votes(views: list[HairView], points_m: Array, normals: Array, tail: Tail | None, lobes_m: Array) -> Array:
-    """Return (K, N) how much the photos' labels count.
+def believed_votes(
+    views: list[HairView], points_m: Array, normals: Array, tail: Tail | None, lobes_m: Array
+) -> tuple[Array, NDArray[np.float32]]:
+    """Return (K, N) how much the photos' labels count, and (K, N) what they say (:func:`hairline_mm`).
 
     What side photos show of a throat is the curtain of hair before it, unless front photos see the throat covered.
 
     Points (N, 3) are the skin's; ``lobes_m`` (3,) is the middle between the ears' lobes.
     """
     votes = np.stack([seen_votes(view, points_m, normals, tail) for view in views])
+    line = np.stack([hairline_mm(view, points_m) for view in views])
     away = points_m - lobes_m
     throat = (away[:, 1] < 0.0) & (away[:, 2] > np.abs(away[:, 0]))  # within 45 degrees of straight ahead
-    front, aside = (np.array([view.posed.view in of for view in views]) for of in (_FRONT, _ASIDE))
-    shown = [vote[throat] @ hairline_mm(view, points_m[throat]) for view, vote in zip(views, votes, strict=True)]
-    if np.sum(np.array(shown)[front]) <= 0.0:
+    front, aside = (np.array([view.posed.view in of for view in views]) for of in SIDES[:2])
+    seen = np.ix_(front, throat)
+    if np.sum(votes[seen] * line[seen]) <= 0.0:
         votes[np.ix_(aside, throat)] = 0.0
-    return votes
+    return votes, line
 
 
 def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:

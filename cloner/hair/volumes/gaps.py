@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, binary_erosion
 
-from cloner.hair.volumes.rows import SIDES
-from cloner.hair.volumes.views import HairView
+from cloner.hair.volumes.views import SIDES, HairView
 from cloner.records.arrays import Array
 
 #: Half the widest gap that is closed, voxels of 4 mm: bodies and heads err by a centimetre each.

@@ -7,17 +7,12 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.cap import FACE_PHOTO
-from cloner.hair.volumes.views import FAR_MM, HairView
+from cloner.hair.volumes.views import FAR_MM, SIDES, HairView
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 
 ROUND_MM = 70.0  # half a head's width: thick hair between the sides that show it is as round as a head
 LONGER = 1.25  # anatomy: heads are so much longer than wide, and so is hair of which no side photo tells
-SIDES = (
-    (ViewId.BODY_FRONT, ViewId.FACE_FRONT),
-    (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
-    (ViewId.BODY_BACK,),
-)
 
 
 def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:

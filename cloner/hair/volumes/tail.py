@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
-from cloner.hair.volumes.views import FAR_MM, HairView, cover
+from cloner.hair.volumes.views import FAR_MM, SIDES, HairView, cover
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 
@@ -80,7 +80,7 @@ def find_tail(views: list[HairView], cap_m: Array, triangles: NDArray[np.int32],
         x of the head's middle, used where no back photo tells.
     """
     behind = any(view.posed.view is ViewId.BODY_BACK for view in views)
-    for wanted in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+    for wanted in SIDES[1]:
         for view in views:
             if view.posed.view is not wanted or view.flip_m is not None:
                 continue

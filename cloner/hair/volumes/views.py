@@ -36,6 +36,12 @@ MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
 NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
 LIES_BELOW_M = 0.12  # so far below the chest's joint hair lies on the back and follows no head
 INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees
+#: Photos from before, from aside and from behind.
+SIDES = (
+    (ViewId.BODY_FRONT, ViewId.FACE_FRONT),
+    (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
+    (ViewId.BODY_BACK,),
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -194,7 +200,7 @@ def hair_views(
     found: list[HairView] = []
     for one in abreast(seen, [view for view in joined.views if view in proposals.views]):
         found.append(one)
-        if one.posed.view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+        if one.posed.view in SIDES[1]:
             found.append(replace(one, flip_m=middle))
     return found
 

@@ -15,9 +15,9 @@ from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, believed_votes, hairline_mm, surface_mm
 from cloner.hair.volumes.gaps import without_gaps
 from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m, usual_width_m
-from cloner.hair.volumes.rows import SIDES, agreed_mm
+from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
-from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
+from cloner.hair.volumes.views import FAR_MM, SIDES, HairView, hull_mm
 from cloner.records.arrays import Array
 
 LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
@@ -197,9 +197,8 @@ def hair_field(
     """
     surface = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
     tail = find_tail(views, surface, scalp.triangles, middle_m)
-    votes = believed_votes(views, *body, tail, scalp.lobes_m)
-    line = sum(vote * hairline_mm(view, body[0]) for view, vote in zip(views, votes, strict=True))
-    lying = body[0][(line > 0.0) & (body[0][:, 1] < hang_below_m)]
+    votes, line = believed_votes(views, *body, tail, scalp.lobes_m)
+    lying = body[0][((votes * line).sum(axis=0) > 0.0) & (body[0][:, 1] < hang_below_m)]
     points, rows, shape = _worthwhile(views, scalp, lying, tail, low_m, high_m)
     field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
     skin = np.full(field.shape, np.float32(FAR_MM))

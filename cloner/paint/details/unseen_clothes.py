@@ -14,12 +14,12 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.lookups.materials import Materials, hands_beyond_cuffs, shown_bare
+from cloner.paint.lookups.materials import Materials, goes_on, hands_beyond_cuffs, shown_bare
 from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS
-from cloner.vision.retouching.evening import beyond_light, log_levels
+from cloner.vision.retouching.evening import log_levels
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
@@ -182,7 +182,7 @@ def _as_skin(rgb: NDArray[np.float32], skin_rgb: NDArray[np.float32]) -> NDArray
     """Return which colours (..., 3) are those of skin (N, 3), levels: a shirt of them would look like none."""
     if not len(skin_rgb):
         return np.zeros(rgb.shape[:-1], bool)
-    return np.asarray(beyond_light(log_levels(rgb) - np.median(log_levels(skin_rgb), axis=0)) < AS_SKIN, bool)
+    return goes_on(rgb, np.median(log_levels(skin_rgb), axis=0), AS_SKIN)
 
 
 def _fall(

@@ -110,9 +110,12 @@ def of_skin(logs: Array, told: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return np.asarray(beyond_light(logs - np.median(logs[told], axis=0)) < 1.0)
 
 
-def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating]) -> NDArray[np.bool_]:
-    """Return which colours (N, 3), levels, differ from log levels around them (N, 3) by no more than light can do."""
-    return np.asarray(beyond_light(log_levels(rgb) - around) < 1.0)
+def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating], most: float = 1.0) -> NDArray[np.bool_]:
+    """Return which colours (..., 3), levels, differ from log levels around them by no more than light can do.
+
+    ``most`` is the limit as a share of that.
+    """
+    return np.asarray(beyond_light(log_levels(rgb) - around) < most)
 
 
 def shows_garment(source: Source, lookup_px: NDArray[np.floating]) -> NDArray[np.bool_]:

@@ -90,7 +90,7 @@ def test_what_a_side_photo_shows_of_a_throat_is_the_hair_before_it_unless_it_is_
     ]
     normals, lobes_m = vertex_normals(POINTS, body_triangles()), POINTS[GENERIC.feature("ear_lobe_L")] * (0.0, 1.0, 1.0)
     free = np.stack([seen_votes(view, POINTS, normals, None) for view in views])
-    found = believed_votes(views, POINTS, normals, None, lobes_m)
+    found, _ = believed_votes(views, POINTS, normals, None, lobes_m)
     throat = np.linalg.norm(POINTS - POINTS[GENERIC.feature("chin_bottom")] + (0.0, 0.02, 0.02), axis=1) < 0.04
     nape = np.linalg.norm(POINTS - POINTS[GENERIC.feature("nape")], axis=1) < 0.03
     assert free[0, throat].max() > 0.05
