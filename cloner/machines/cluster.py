@@ -12,7 +12,7 @@ import logging
 import secrets
 from collections import deque
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -68,8 +68,12 @@ def cluster(address: str, retries: int = 1, *, keys: Path | None = None, unprote
         except (OSError, TimeoutError, ValueError, RuntimeError) as error:
             hint = "Start scheduler and workers as docs/cluster.md says, with certificates of the same folder of keys"
             raise ClonerError("no scheduler answers there", hint, address) from error
-        with client:
+        try:
             yield client
+        finally:
+            # A scheduler that vanishes while it is spoken to can fail Dask's own farewell: nothing is lost by it.
+            with suppress(OSError, TimeoutError, RuntimeError):
+                client.close()
 
 
 def _check_protected(address: str, keys: Path | None, unprotected: bool) -> None:

@@ -7,6 +7,8 @@ import signal
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
+from unittest.mock import Mock
 
 import pytest
 from PIL import Image
@@ -14,6 +16,7 @@ from PIL import Image
 from cloner import batch
 from cloner.batch import BatchOptions, batch_folder
 from cloner.errors import ClonerError
+from cloner.machines.cluster import cluster
 from cloner.machines.cluster_keys import make_keys
 from kit import farming
 
@@ -82,3 +85,12 @@ def test_two_clusters_give_what_one_process_gives_and_a_vanished_one_loses_nothi
     }
     assert all(again[name] == "skipped" for name in done)
     assert contents(second) == contents(alone)
+
+
+def test_the_sentence_survives_a_farewell_that_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    distributed = pytest.importorskip("distributed", reason="clusters need the extra cluster")
+    client = SimpleNamespace(close=Mock(side_effect=RuntimeError("Cannot change state of expiring Timeout")))
+    monkeypatch.setattr(distributed, "Client", lambda *_, **__: client)
+    with pytest.raises(ClonerError, match="vanished"), cluster("tcp://127.0.0.1:1", unprotected=True):
+        raise ClonerError("vanished", "Start it again", "cluster")
+    client.close.assert_called_once()
