@@ -17,11 +17,10 @@ from cloner.behaviour.language import read_scenario, read_text, scenario_text
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
-from cloner.crowd.drawing.player import ACTED_FILE, player_page
+from cloner.crowd.drawing.player import ACTED_FILE, BODY_FILE, player_page
 from cloner.crowd.packs.files import MARK, digest, pack_folder, packed
 from cloner.crowd.packs.reading import casting_from, checked, read_facts, read_stock
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
-from cloner.crowd.staged.rooms import ECHO_FILE, ROOM_FILES
 from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
 from cloner.outside import open_outside
@@ -42,6 +41,14 @@ class RoomParts:
     facts: Mapping[str, Any]
     views: Mapping[str, Any]
     statues: Callable[..., tuple[Acted, Mapping[str, Any]]] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SpokenParts:
+    """What is said, for a pack: files by name, and what ``crowd.json`` says of it."""
+
+    files: Mapping[str, bytes]
+    facts: Mapping[str, Any]
 
 
 def bake_file(
@@ -94,6 +101,7 @@ def bake_file(
 def write_acted(
     pack: Path, facts: dict[str, Any], out: Path, acted: Acted, seconds: float, views: Mapping[str, Any],
     room: RoomParts | None = None, staging: Mapping[str, Any] | None = None, scenario: Mapping[str, Any] | None = None,
+    spoken: SpokenParts | None = None,
 ) -> int:  # fmt: skip
     """Write a pack whose clones act in a folder of its own; return the bytes of what they act.
 
@@ -109,15 +117,17 @@ def write_acted(
         What stands around them, and how it is staged; see :mod:`cloner.crowd.staged.staging`.
     scenario : mapping, optional
         The text and seed by which it can go on for ever (`cloner.scenes.served.minds`).
+    spoken : SpokenParts, optional
+        What they say.
     """
     arrays: dict[str, NDArray[Any]] = {
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
         "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
     data, told = packed(arrays)
-    kept = {name: own for name, own in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES, ECHO_FILE)}
-    files = {ACTED_FILE: data, **(room.files if room else {})}
-    made = {key: value for key, value in facts.items() if key not in ("room", "staging", "scenario")} | {
+    kept = {name: own for name, own in facts["files"].items() if name.startswith("people/") or name == BODY_FILE}
+    files = {ACTED_FILE: data, **(room.files if room else {}), **(spoken.files if spoken else {})}
+    made = {key: value for key, value in facts.items() if key not in ("room", "staging", "scenario", "spoken")} | {
         "scene": ACTED, "people_count": len(acted.people),
         "files": kept | {name: digest(own) for name, own in files.items()},
         "acted": {"seconds": seconds, "people": len(acted.people), "arrays": told, "views": dict(views)},
@@ -128,11 +138,14 @@ def write_acted(
         made["room"] = room.facts
     if staging:
         made["staging"] = staging
+    if spoken:
+        made["spoken"] = spoken.facts
     with pack_folder(out) as folder:
         for name in kept:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_bytes(checked(pack, name, facts))
         for name, own in files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_bytes(own)
         page = player_page(folder, made)
         made["player"] = {"sha256": digest(page), "bytes": len(page)}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,20 +14,25 @@ from PIL import Image
 from cloner.acting.written import write_acted
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.held import filmed
-from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
+from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_spoken, read_stock
 from cloner.crowd.packs.still import Painter
-from cloner.crowd.staged.staging import staging_of
+from cloner.crowd.staged.footing import Acted
+from cloner.crowd.staged.staging import Staging, staging_of
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import appears, result_folder, safe_output
+from cloner.records.arrays import Array
 from cloner.scenes.films.sequence import read_sequence
 from cloner.scenes.films.staged import acted_by
+from cloner.scenes.films.voices import RATE_HZ, Ear, Voices, heard, voices_of, wav_bytes
 from cloner.scenes.inhabited import room_parts, sounding, views_in
 from cloner.scenes.written import light_in, room_in, sound_in
 from cloner.vision.photographs.films import FORMATS, told_png, write_film
 
 Pixels = NDArray[np.uint8]
 
+#: What is said, beside the pictures of a folder.
+SOUND_FILE: Final = "sound.wav"
 #: Pictures are named by so many digits.
 DIGITS: Final = 5
 
@@ -67,6 +72,10 @@ def film_file(
     facts = read_facts(pack)
     built = room_in(room)
     parts = sounding(room_parts(built, *light_in(room), room.name), sound_in(room, built))
+    if film.speeches and "faces" not in facts:
+        hint = "Make it with cloner crowd --speech"
+        raise ClonerError("nobody in the pack can speak", hint, "the film")
+    said = voices_of(film, source.parent)
     acted, staging = acted_by(film, read_stock(pack, facts), facts["people"], progress)
     told = {"title": film.title, "seconds": film.seconds, "size_px": list(film.size_px), "rate_hz": film.rate_hz}
     lines = [
@@ -74,9 +83,12 @@ def film_file(
     ]
     with tempfile.TemporaryDirectory() as folder:
         staged = page if page is not None else Path(folder) / "staged"
-        write_acted(pack, facts, staged, acted, film.seconds, views_in(built.plan), parts, staging | {"film": told})
+        write_acted(
+            pack, facts, staged, acted, film.seconds, views_in(built.plan), parts, staging | {"film": told},
+            spoken=said[0] if said else None,
+        )  # fmt: skip
         if out is not None:
-            _draw(staged, out, progress)
+            _draw(staged, out, said[1] if said else None, sound_in(room, built), progress)
     return [
         *lines,
         *([str(out)] if out is not None else []),
@@ -84,28 +96,47 @@ def film_file(
     ]
 
 
-def _draw(pack: Path, out: Path, progress: Progress) -> None:
-    """Draw a staged pack's film into a file, or into a folder of pictures."""
+def _draw(
+    pack: Path, out: Path, voices: Voices | None, echo: tuple[bytes, list[float]] | None, progress: Progress
+) -> None:
+    """Draw a staged pack's film into a file, or into a folder of pictures, with what is said."""
     facts = read_facts(pack)
     told = facts["staging"]["film"]
+    acted, staging = read_acted(pack, facts), staging_of(facts)
+    sound = heard(voices, told["seconds"], _ear(staging, acted), echo) if voices and staging else None
     theatre = Theatre(read_stock(pack, facts))
     try:
         painter = Painter(
-            theatre, facts, read_acted(pack, facts), tuple(told["size_px"]), read_room(pack, facts), staging_of(facts)
+            theatre, facts, acted, tuple(told["size_px"]), read_room(pack, facts), staging, read_spoken(pack, facts)
         )
         pictures = _pictures(painter, told, progress)
         if out.suffix.lower() in FORMATS:
             with appears(out) as temporary:
                 out.parent.mkdir(parents=True, exist_ok=True)
-                write_film(pictures, told["rate_hz"], temporary, filmed(facts["people"]))
+                write_film(pictures, told["rate_hz"], temporary, filmed(facts["people"]), sound, RATE_HZ)
         else:
             with result_folder(out.parent, out.name) as folder:
                 for number, shown in enumerate(pictures, start=1):
                     Image.fromarray(shown).save(
                         folder / f"{number:0{DIGITS}}.png", pnginfo=told_png(filmed(facts["people"]))
                     )
+                if sound is not None:
+                    (folder / SOUND_FILE).write_bytes(wav_bytes(RATE_HZ, sound))
     finally:
         theatre.close()
+
+
+def _ear(staging: Staging, acted: Acted) -> Ear:
+    """Return where the film's eye is, its right, and people's heads at a time."""
+
+    def ear(now: float, who: Sequence[int]) -> tuple[Array, Array, Array]:
+        rows = staging.rows(acted, now)
+        eye, look, _ = staging.camera(rows, now)
+        ahead = np.subtract(look, eye)
+        right = np.array([-ahead[2], 0.0, ahead[0]]) / max(float(np.hypot(ahead[0], ahead[2])), 1e-9)
+        return np.array(eye), right, np.array([staging.head(rows, one) for one in who])
+
+    return ear
 
 
 def _pictures(painter: Painter, told: dict[str, Any], progress: Progress) -> Iterator[Pixels]:

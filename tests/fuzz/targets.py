@@ -49,7 +49,7 @@ from cloner.motion.captures.acclaim import read_acclaim
 from cloner.motion.captures.bvh import read_bvh
 from cloner.motion.face.faps import read_fap
 from cloner.motion.face.score import read_score
-from cloner.motion.face.sound import frame_features, read_wav
+from cloner.motion.face.sound import frame_features, read_sound, resampled
 from cloner.motion.face.speech import phoneme_visemes, read_phonemes
 from cloner.personal_data.leftovers import Traces, tells
 from cloner.project.clone_file import load_clone, save_clone
@@ -384,7 +384,7 @@ TARGETS: Mapping[str, Target] = {
     "fap": Target("face.fap", lambda: (cases_motion.FAP.encode(),), read_fap),
     "phonemes": Target("talk.txt", lambda: (b"AA1 0.1\nSIL 0.2\n",), lambda path: phoneme_visemes(read_phonemes(path))),
     "wav": Target("talk.wav", lambda: (cases_motion.wav(data=cases_motion.SOUND[:4000]),),
-                  lambda path: frame_features(read_wav(path))),
+                  lambda path: frame_features(resampled(*read_sound(path)))),
     "report": Target("report.json", lambda: (REPORT,), lambda path: why_not_current(path.parent, {})),
     "asf": Target("01.asf", lambda: (ASF,), _beside("01_01.amc", AMC)),
     "amc": Target("01_01.amc", lambda: (AMC,), _beside("01.asf", ASF)),

@@ -9,7 +9,7 @@ from typing import Any
 
 from cloner.motion.captures.bvh import read_bvh
 from cloner.motion.face.faps import read_fap
-from cloner.motion.face.sound import read_wav
+from cloner.motion.face.sound import read_sound, resampled
 from cloner.motion.face.speech import phoneme_visemes, read_phonemes
 from cloner.personal_data.holdings import holdings
 from cloner.picture import clone_of
@@ -88,7 +88,7 @@ READERS: Mapping[str, Callable[[Path], Any]] = {
     "held": lambda path: holdings(path, None),
     "bvh": read_bvh,
     "fap": read_fap,
-    "wav": read_wav,
+    "wav": lambda path: resampled(*read_sound(path)),
     "phonemes": lambda path: phoneme_visemes(read_phonemes(path)),
     "clone": clone_of,
 }

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clones.clips import Clip, clips_of
+from cloner.crowd.clones.faces import face_moves
 from cloner.crowd.clones.flowing import flowing
 from cloner.crowd.clones.groups import (
     GROUPS,
@@ -72,6 +73,8 @@ class Cast:
         The garment that goes on as a loose shell of cloth, "" without one.
     stone : (A, A, 3) uint8, stone_shell : (B, 2 B, 3) uint8, or None
         Atlas and shells as a statue's.
+    face : (K, N, 3) int16 or None
+        How it moves; see :func:`cloner.crowd.clones.faces.face_moves`.
     """
 
     identifier: str
@@ -90,6 +93,7 @@ class Cast:
     hung: str = ""
     stone: Pixels | None = None
     stone_shell: Pixels | None = None
+    face: NDArray[np.int16] | None = None
 
 
 def cast_of(
@@ -103,10 +107,11 @@ def cast_of(
     atlas_px: int = ATLAS_PX,
     carved: Callable[[Clone], Clone] | None = None,
     flow: Flow | None = None,
+    speech: bool = False,
 ) -> Cast:
     """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
 
-    With ``flow`` its shell of cloth moves as it was simulated.
+    With ``flow`` its shell of cloth moves as it was simulated, with ``speech`` its face can.
 
     Raises
     ------
@@ -146,6 +151,7 @@ def cast_of(
         hung or _hung(shell, atlas, codes),
         smaller(statue.atlas.rgb, atlas_px) if statue else None,
         _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
+        face_moves(clone, body) if speech else None,
     )
 
 

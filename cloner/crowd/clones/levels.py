@@ -24,6 +24,8 @@ from cloner.records.arrays import Array
 Index = NDArray[np.int32]
 
 SURFACES: Final = ("body", "eyes")
+#: Teeth and tongue: at the finest level of those who speak, all of it.
+MOUTH: Final = "mouth"
 #: Triangles of the loose shells at each level; below 500 hair tears (measured).
 LOOSE: Final = (4_000, 2_700, 1_000, 500)
 LEVELS: Final = len(LOOSE)
@@ -53,15 +55,26 @@ class BodyLevels:
 
 
 @functools.cache
-def body_levels(*, full: bool = False) -> BodyLevels:
-    """Return the shipped lists; with ``full`` another level 0 with every triangle of body and eyes, to compare with."""
-    found = [surface for surface in load_surfaces() if surface.name in SURFACES]
+def body_levels(*, full: bool = False, mouth: bool = False) -> BodyLevels:
+    """Return the shipped lists.
+
+    Parameters
+    ----------
+    full : bool
+        Put a level 0 with every triangle of body and eyes before them, to compare with.
+    mouth : bool
+        Level 0 has teeth and tongue, for those who speak; its wedges are the last ones.
+    """
+    surfaces = {surface.name: surface for surface in load_surfaces()}
+    found = [surfaces[name] for name in (*SURFACES, *((MOUTH,) if mouth else ()))]
     start = np.cumsum([0, *(len(surface.vertex) for surface in found)])
     lists = _shipped()
     levels = [
-        np.concatenate([lists[f"{one.name}_{level}"] + start[k] for k, one in enumerate(found)])
+        np.concatenate([lists[f"{name}_{level}"] + start[k] for k, name in enumerate(SURFACES)])
         for level in range(LEVELS)
     ]
+    if mouth:
+        levels[0] = np.concatenate([levels[0], surfaces[MOUTH].triangles + start[len(SURFACES)]])
     if full:
         levels.insert(0, np.concatenate([one.triangles + start[k] for k, one in enumerate(found)]))
     order, counts = nested(levels)

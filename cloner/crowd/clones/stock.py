@@ -77,6 +77,8 @@ class Stock:
     elevations : tuple of radians
     stones : (C, A, A, 3) uint8, stone_shells : (C, B, 2 B, 3) uint8
         The same people in stone, or None.
+    faces : (C, K, N, 3) int16
+        How faces move that can speak; see :func:`cloner.crowd.clones.faces.face_moves`; or None.
     """
 
     body: BodyLevels
@@ -91,6 +93,7 @@ class Stock:
     elevations: tuple[float, ...] = (0.0,)
     stones: NDArray[np.uint8] | None = None
     stone_shells: NDArray[np.uint8] | None = None
+    faces: NDArray[np.int16] | None = None
 
 
 def numbers_of(cast: Cast, budgets: Sequence[int] = LOOSE) -> Numbers:
@@ -240,6 +243,14 @@ def level_arrays(body: BodyLevels, level: int, budgets: Sequence[int] = LOOSE) -
         "weights": np.concatenate([body.weights[:own], rest]).astype(np.float32),
         "index": index.astype(np.uint32),
     }
+
+
+def face_texels(moves: NDArray[np.int16]) -> NDArray[np.int16]:
+    """Return (K R, WIDE, 4) texels of a face's (K, N, 3) moves: R rows a target."""
+    targets, count, _ = moves.shape
+    rows = np.zeros((targets, -(-count // WIDE) * WIDE, 4), np.int16)
+    rows[:, :count, :3] = moves
+    return rows.reshape(-1, WIDE, 4)
 
 
 def padded_rows(values: NDArray[Any], wide: int) -> NDArray[Any]:

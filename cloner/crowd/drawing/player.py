@@ -17,8 +17,14 @@ from cloner.crowd.staged.rooms import ECHO_FILE, ROOM_FILES
 HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atlas.webp", "codes.webp", "shell.webp")
 #: And those of packs whose people can be statues.
 STONES: Final = ("stone.webp", "stone_shell.webp")
+#: And of those whose people can speak.
+FACE_FILE: Final = "face.bin"
+#: The body of all clones.
+BODY_FILE: Final = "body.bin"
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
+#: Weights of faces that speak.
+SPOKEN_FILE: Final = "spoken.bin"
 _SCRIPTS: Final = (
     "scene.js",
     "stage.js",
@@ -27,6 +33,7 @@ _SCRIPTS: Final = (
     "daylight.js",
     "room.js",
     "staging.js",
+    "speech.js",
     "sound.js",
     "live.js",
     "player.js",
@@ -48,10 +55,12 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
         What ``crowd.json`` will hold; with ``live`` the page asks its server who comes (`web/live.js`).
     """
     web = importlib.resources.files("cloner.crowd") / "web"
-    own = (*HELD, *(STONES if facts.get("statues") else ()))
-    names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
+    own = (*HELD, *(STONES if facts.get("statues") else ()), *((FACE_FILE,) if facts.get("faces") else ()))
+    names = [BODY_FILE, *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
     if "acted" in facts:
         names.append(ACTED_FILE)
+    if "spoken" in facts:
+        names += [SPOKEN_FILE, *(one["sound"] for one in facts["spoken"]["said"] if one["sound"])]
     if "room" in facts:
         names += [one for one in (*ROOM_FILES, ECHO_FILE) if one in facts["files"]]
     held = "".join(

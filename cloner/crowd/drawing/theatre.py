@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clones import stock
+from cloner.crowd.clones.faces import face_rows
 from cloner.crowd.clones.groups import STEP
 from cloner.crowd.drawing.shaders import PARTS, UNROOMED, source
 from cloner.generic.gl_painter import new_context
@@ -22,7 +23,8 @@ SUN: Final = (0.45, 0.75, 0.48)
 #: The level whose shadow people cast: its outline is within a texel of the shadow's map.
 CAST_LEVEL: Final = 2
 _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
-                 "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells")  # fmt: skip
+                 "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells", "faces",
+                 "faceRows")  # fmt: skip
 
 
 class Theatre:
@@ -65,6 +67,11 @@ class Theatre:
         none = np.zeros((len(held.table), 1, 1, 3), np.uint8)
         self._array("stones", none if held.stones is None else held.stones, "f1", mips=4)
         self._array("stoneShells", none if held.stone_shells is None else held.stone_shells, "f1", mips=4)
+        faces = np.zeros((1, 1, 1, 3), np.int16) if held.faces is None else held.faces
+        moves = np.stack([stock.face_texels(one) for one in faces])
+        self._array("faces", moves, "i2")
+        self._face_high = moves.shape[1] // faces.shape[1]
+        self._flat("faceRows", stock.padded_rows(face_rows(held.body), wide)[..., None], "u2")
         self.send_tiles()
 
     def send_tiles(self) -> None:
@@ -162,6 +169,7 @@ class Theatre:
             "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
             "bakedFrom": stock.BAKED_FROM_M, "rim": 0, "now": 0.0, "coarse": 0, "laneLength": 100.0,
+            "speakers": 0, "faceHigh": self._face_high,
             **UNROOMED,
         }  # fmt: skip
         for name, value in {**fixed, **values}.items():

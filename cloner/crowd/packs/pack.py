@@ -14,13 +14,14 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
+from cloner.crowd.clones.faces import STEP_M, TARGETS, face_rows
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.crowd.clones.vat import vat_files
 from cloner.crowd.drawing.impostors import Bake, bake
-from cloner.crowd.drawing.player import player_page
+from cloner.crowd.drawing.player import BODY_FILE, FACE_FILE, player_page
 from cloner.crowd.drawing.theatre import DEPTH_RANGE_M, SUN
 from cloner.crowd.packs.files import (
     FORMAT,
@@ -75,7 +76,7 @@ def make_pack(
     check_wanted(wanted)
     looks = read_looks(wanted.looks)
     casting_of([], looks)  # nobody waits for a bake to hear that a colour is none, or that the last clone is refused
-    found, body, generic, first_bone = find_people(results), body_levels(), "", 0
+    found, body, generic, first_bone = find_people(results), body_levels(mouth=wanted.speech), "", 0
     for one in found:
         _, generic = load_person(one, generic)
     files: dict[str, str] = {}
@@ -86,7 +87,7 @@ def make_pack(
             clone, _ = load_person(one, generic)
             cast = cast_of(
                 one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,
-                carved=wanted.carved, flow=load_flow(one.folder, clone),
+                carved=wanted.carved, flow=load_flow(one.folder, clone), speech=wanted.speech,
             )  # fmt: skip
             row, first_bone = _person(folder, cast, clone, body, wanted, first_bone, files)
             rows.append(row)
@@ -94,11 +95,14 @@ def make_pack(
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
             masks.append(lendable(cast))
         casting = casting_of(masks, looks)
-        data, body_told = packed(body_arrays(body))
-        _write(folder, "body.bin", data, files)
+        arrays = body_arrays(body) | ({"face": face_rows(body)} if wanted.speech else {})
+        data, body_told = packed(arrays)
+        _write(folder, BODY_FILE, data, files)
         facts = _facts(wanted, rows, body, casting, body_told, files)
         if wanted.compressed:
             facts["compressed"] = True
+        if wanted.speech:
+            facts["faces"] = {"targets": list(TARGETS), "step_m": STEP_M}
         if tones:
             facts["statues"] = {"colour": np.mean(tones, axis=0).round(4).tolist()}
         page = player_page(folder, facts)
@@ -134,6 +138,9 @@ def _person(
     if cast.stone is not None and cast.stone_shell is not None:
         content["stone.webp"] = webp(cast.stone, ATLAS_QUALITY)
         content["stone_shell.webp"] = webp(cast.stone_shell, SHELL_QUALITY)
+    faced: dict[str, Any] = {}
+    if cast.face is not None:
+        content[FACE_FILE], faced = packed({"moves": cast.face})
     if wanted.vat:
         content |= vat_files(cast, body)
     for name, one in content.items():
@@ -146,6 +153,7 @@ def _person(
         "views": tiles.views,
         "stamp": clone.stamp,
         "arrays": told,
+        **({"face": faced} if faced else {}),
         "clips": [
             {"name": clip.name, "seconds": clip.seconds, "speed_m_s": round(clip.speed_m_s, 4),
              "frames": len(clip.frames), "poses": clip.poses, "impostors": seen.name.lower()}

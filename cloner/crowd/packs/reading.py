@@ -9,15 +9,17 @@ from typing import Any, Final
 
 import numpy as np
 
+from cloner.crowd.clones.faces import face_wedges
 from cloner.crowd.clones.levels import LOOSE, body_levels
 from cloner.crowd.clones.stock import Numbers, Stock
 from cloner.crowd.drawing.impostors import Bake, with_tiles
-from cloner.crowd.drawing.player import ACTED_FILE, STONES
+from cloner.crowd.drawing.player import ACTED_FILE, FACE_FILE, SPOKEN_FILE, STONES
 from cloner.crowd.packs.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
 from cloner.crowd.packs.told import why_unfit
 from cloner.crowd.staged.footing import Acted, fits
 from cloner.crowd.staged.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.staged.scene import Casting
+from cloner.crowd.staged.speech import Said, Spoken
 from cloner.errors import ClonerError, plain
 from cloner.outside import read_outside
 
@@ -60,8 +62,9 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
     ClonerError
         If a file is missing or damaged.
     """
-    body = body_levels()
+    body = body_levels(mouth="faces" in facts)
     numbers, rows, atlases, shells, tiles = [], [], [], [], []
+    faces = []
     stones: dict[str, list[Any]] = {name: [] for name in (STONES if facts.get("statues") else ())}
     try:
         for row in facts["people"]:
@@ -77,10 +80,17 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
             tiles.append(tiles_from(files, arrays["tiles"]))
             for name, own in stones.items():
                 own.append(picture(checked(pack, f"people/{row['id']}/{name}", facts)))
+            if "faces" in facts:
+                data = checked(pack, f"people/{row['id']}/{FACE_FILE}", facts)
+                faces.append(unpacked(data, row["face"])["moves"])
+                if faces[-1].shape[1] != len(face_wedges(body)):
+                    raise ValueError("another body's face")
         elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
         held = Stock(body, LOOSE, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
         if stones:
             held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
+        if faces:
+            held = replace(held, faces=np.stack(faces))
         return with_tiles(held, tiles, Bake(elevations=elevations))
     except (ValueError, LookupError, TypeError, OSError) as error:
         raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
@@ -103,6 +113,27 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
     except (ValueError, LookupError, TypeError) as error:
         raise ClonerError("what the crowd acts does not fit it", "Bake it again", pack.name) from error
     return acted
+
+
+def read_spoken(pack: Path, facts: dict[str, Any]) -> Spoken | None:
+    """Return what is said in a pack's film, None where nobody speaks.
+
+    Raises
+    ------
+    ClonerError
+        If the file is missing, damaged or does not fit.
+    """
+    if "spoken" not in facts:
+        return None
+    told = facts["spoken"]
+    try:
+        weights = unpacked(checked(pack, SPOKEN_FILE, facts), told["arrays"])["weights"]
+        said = tuple(Said(**{name: one[name] for name in Said.__slots__}) for one in told["said"])
+        if not np.isfinite(weights).all() or any(one.first + one.frames > len(weights) for one in said):
+            raise ValueError("another film's")
+    except (ValueError, LookupError, TypeError) as error:
+        raise ClonerError("what is said does not fit the film", "Make it again", pack.name) from error
+    return Spoken(weights, said)
 
 
 def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:

@@ -14,12 +14,13 @@ from PIL import Image
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.files import MARK
 from cloner.crowd.packs.held import filmed
-from cloner.crowd.packs.reading import casting_from, read_acted, read_facts, read_room, read_stock
+from cloner.crowd.packs.reading import casting_from, read_acted, read_facts, read_room, read_spoken, read_stock
 from cloner.crowd.staged.daylight import CAST_PX, DAY, Hour, room_values
 from cloner.crowd.staged.eye import Eye
 from cloner.crowd.staged.footing import GONE, Acted, rows_at
 from cloner.crowd.staged.rooms import LitRoom, glow_of
 from cloner.crowd.staged.scene import ACTED, SCENES, Scene, places, scene_of
+from cloner.crowd.staged.speech import Spoken, faces_values
 from cloner.crowd.staged.staging import UP, Staging, finished, staging_of
 from cloner.errors import ClonerError
 from cloner.project.atomic import appears
@@ -89,8 +90,9 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     try:
         staging = staging_of(facts) if name == ACTED else None
         painter = Painter(
-            theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging
-        )
+            theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging,
+            read_spoken(pack, facts) if name == ACTED else None,
+        )  # fmt: skip
         with appears(out) as temporary:
             if out.suffix.lower() in FORMATS:
                 write_film(_film(painter, views[view]), FRAMES_PER_S, temporary, filmed(facts["people"]))
@@ -116,9 +118,9 @@ class Painter:
 
     def __init__(
         self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
-        room: LitRoom | None = None, staging: Staging | None = None,
+        room: LitRoom | None = None, staging: Staging | None = None, spoken: Spoken | None = None,
     ) -> None:  # fmt: skip
-        self._staging = staging
+        self._staging, self._spoken = staging, spoken
         self._room = room
         if room:
             theatre.send_room(room.looks, room.light, room.sun)
@@ -146,6 +148,8 @@ class Painter:
             values["stoneColour"] = tuple(self._facts["statues"]["colour"])
         if self._room:
             values |= room_values(self._room.probes, self._room.facts, eye, hour)
+        if self._spoken:
+            values |= faces_values(*self._spoken.faces(now))
         chosen = self._tiers(eye, now, mode)
         if "shadowed" in values:
             seen = np.concatenate(chosen)

@@ -7,8 +7,10 @@ from itertools import pairwise
 from pathlib import PurePosixPath
 from typing import Any, Final
 
+from cloner.crowd.clones.faces import STEP_M, TARGETS, WEIGHTS
 from cloner.crowd.clones.stock import COLUMNS, MOST_CLIPS
 from cloner.crowd.staged.scene import ACTED, SCENES
+from cloner.crowd.staged.speech import MOST_SAID
 
 Check = Callable[[Any], bool]
 
@@ -34,6 +36,10 @@ def why_unfit(facts: Any) -> str:
         wrong = _unfit(facts, _STATUES, "")
     if not wrong and "staging" in facts:
         wrong = _unfit(facts, _STAGING, "") or _unstaged(facts["staging"], facts.get("people_count", 0))
+    if not wrong and "faces" in facts:
+        wrong = _unfit(facts, _FACES, "")
+    if not wrong and "spoken" in facts:
+        wrong = _unfit(facts, {"faces": _FACES["faces"], **_SPOKEN}, "")
     if not wrong and "room" in facts:
         wrong = _unfit(facts, _ROOM, "")
     if not wrong and "echo" in facts.get("room", {}):
@@ -167,6 +173,20 @@ _ACTED: Final = {
             "blocks": _array("float32", 0, 6),
         },
         "views": {name: _Rows(_PLACE, 2, 2) for name in ("overview", "near", "street")},
+    }
+}  # fmt: skip
+#: For packs whose people can speak (:mod:`cloner.crowd.clones.faces`), and for films in which they do.
+_FACES: Final = {
+    "faces": {"targets": lambda value: value == list(TARGETS), "step_m": lambda value: value == STEP_M},
+    "people": _Rows({"face": {"moves": _array("int16", WEIGHTS, 0, 3)}}),
+}  # fmt: skip
+_SPOKEN: Final = {
+    "spoken": {
+        "arrays": {"weights": _array("float32", 0, WEIGHTS)},
+        "said": _Rows({
+            "who": _whole(0, MOST_PEOPLE), "when": _number(0.0, 1e6), "first": _whole(0, LARGEST_COUNT),
+            "frames": _whole(1, LARGEST_COUNT), "sound": lambda value: value == "" or _inside(value),
+        }, 0, MOST_SAID),
     }
 }  # fmt: skip
 #: For packs whose people can be statues: the material's mean colour.

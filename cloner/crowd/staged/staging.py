@@ -90,9 +90,11 @@ class Staging:
         return tuple(found[:3].tolist()), tuple(found[3:6].tolist()), float(found[6])
 
     def _look(self, key: Sequence[float], rows: NDArray[np.float32]) -> Array:
-        if key[7] < 0:
-            return np.array(key[4:7])
-        own = rows[int(key[7])].astype(np.float64)
+        return np.array(key[4:7]) if key[7] < 0 else self.head(rows, int(key[7]))
+
+    def head(self, rows: NDArray[np.float32], who: int) -> Array:
+        """Return (3,) where somebody's eyes are."""
+        own = rows[who].astype(np.float64)
         return np.array([own[0, 1], own[4, UP] + EYES * self._statures[int(own[1, 2])] * own[1, 3], own[0, 2]])
 
     def caption(self, now: float) -> str:

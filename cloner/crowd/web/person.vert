@@ -26,6 +26,12 @@ flat out vec4 dyes;
 flat out vec2 fades;
 flat out int wearer;  // who it is
 #ifndef NO_ACTORS
+uniform highp isampler2DArray faces;  // a layer a clone: how each target moves a face's vertices, micrometres
+uniform highp usampler2D faceRows;    // where a vertex lies there, from 1; 0: no face moves it
+uniform int faceHigh;                 // rows of a target
+uniform int speakers;                 // how many speak now
+uniform int speaks[8];                // who
+uniform vec4 mouths[40];              // the weights of the targets of each
 out float headness;    // 1 on the head
 out vec3 rested;       // place in the rest pose, shares of the stature
 flat out float stone;
@@ -50,6 +56,23 @@ vec4 boneLine(ivec4 at, vec4 share, int row) {
   return sum * vec4(1.0, 1.0, 1.0, boneReach) / 32767.0;
 }
 
+#ifndef NO_ACTORS
+// How far the face of somebody who speaks moves a vertex, metres.
+vec3 spoken(int who, int clone, int v) {
+  for (int k = 0; k < speakers; k++) {
+    if (speaks[k] != who) continue;
+    int at = int(texelFetch(faceRows, ivec2(v & 127, v >> 7), 0).r) - 1;
+    vec3 moved = vec3(0.0);
+    for (int t = 0; at >= 0 && t < 20; t++) {
+      float share = mouths[5 * k + (t >> 2)][t & 3];
+      if (share > 0.0) moved += share * vec3(texelFetch(faces, ivec3(at & 127, t * faceHigh + (at >> 7), clone), 0).xyz);
+    }
+    return 1e-6 * moved;
+  }
+  return vec3(0.0);
+}
+#endif
+
 void main() {
   Person p = personOf(int(instance.x + 0.5), coarse > 0);
   int v = int(which + 0.5);
@@ -70,6 +93,9 @@ void main() {
   uvec4 q = texelFetch(vertices, ivec3(v & 127, v >> 7, p.clone), 0);
   vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
   vec3 n = fromOctahedron(q.w);
+#ifndef NO_ACTORS
+  if (speakers > 0 && v < bodyVertices) rest.xyz += spoken(int(instance.x + 0.5), p.clone, v);
+#endif
   int row = int(cloneTexel(p.clone, CLIPS + p.clip).x + 0.5) + p.frame;
   ivec4 first = 3 * ivec4(j + 0.5);
   vec4 r0 = boneLine(first, w, row), r1 = boneLine(first + 1, w, row), r2 = boneLine(first + 2, w, row);

@@ -13,6 +13,7 @@ const state = {
 };
 const canvas = document.querySelector("canvas");
 let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
+let spoken = null, voices = {};
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -41,10 +42,18 @@ async function start(context) {
     rings: { value: facts.impostors.rings_deg.length }, classic: { value: facts.impostors.classic ? 1 : 0 },
     ringElevations: { value: [0, 1, 2, 3].map((k) => ((facts.impostors.rings_deg[k] || 0) * Math.PI) / 180) },
     dearFromPx: { value: 24 }, ...lightUniforms(),
-    glow: { value: flatTexture(new Float32Array(4), 1, 1, FLOATS) },
+    glow: { value: flatTexture(new Float32Array(4), 1, 1, FLOATS) }, ...faceUniforms(),
   };
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
   if (facts.statues) uniforms.stoneColour.value.set(...facts.statues.colour);
+  if (facts.faces) {
+    const made = faceTextures(stage.body.face, stage.people.map((one) => one.face));
+    for (const [name, value] of Object.entries(made)) uniforms[name].value = value;
+  }
+  if (facts.spoken) {
+    spoken = spokenOf(facts.spoken.said, (await arraysOf(bytesOf("spoken.bin"), facts.spoken.arrays)).weights);
+    for (const { sound: name } of spoken.said) if (name && !voices[name]) voices[name] = bytesOf(name);
+  }
   const arrays = facts.acted ? await arraysOf(bytesOf("acted.bin"), facts.acted.arrays) : null;
   if (arrays) acted = actedOf(arrays, facts.people.length);
   if (facts.staging) staging = stagingOf(facts.staging, facts.people.map((one) => one.stature_m));
@@ -143,6 +152,7 @@ function setScene(name, count) {
     room.enter(name === ACTED, made.count);
     passes.sky.visible = name === ACTED;
   }
+  uniforms.speakers.value = 0;
   if (name === ACTED) act();
   place(0, made.count);
   bin();
@@ -159,6 +169,7 @@ function act() {
     staging.dress(walkers.rows, now);
     state.hour = staging.hour(now);
   }
+  if (spoken) spoken.move(uniforms, now);
   if (live && live.own >= 0) walkers.rows[live.own * 4 * PERSON_TEXELS] = GONE; // nobody sees the own body
   walkers.data.set(walkers.rows);
   uniforms.people.value.needsUpdate = true;
@@ -349,6 +360,7 @@ function draw() {
   if (sound && state.scene === ACTED) {
     const way = new THREE.Vector3();
     sound.hear(uniforms.eye.value, camera.getWorldDirection(way), walkers, acted);
+    if (spoken) sound.speak(spoken.said, actedNow(), state.paused, walkers);
   }
   tiers.forEach((mesh, k) => { mesh.material.wireframe = Boolean(state.debug) && k < LEVELS; });
   renderer.info.reset();
@@ -509,7 +521,7 @@ function buildKnobs() {
   if (!live) knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
   knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
   if (acted) knob("sound", async (made) => {
-    if (!sound) sound = await soundOf(echo, echoHeard);
+    if (!sound) sound = await soundOf(echo, echoHeard, voices);
     else if (sound.context.state === "running") await sound.context.suspend();
     else await sound.context.resume();
     made.setAttribute("aria-pressed", sound.context.state !== "suspended");

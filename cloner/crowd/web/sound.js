@@ -1,7 +1,7 @@
 "use strict";
 // Steps and murmur, made here and heard from where people are, in the room's own echo; silent until somebody asks.
 
-const HEARD_M = 14, VOICES = 4, MOST_STEPS = 10, CHOSEN_S = 1, STEP_LOUD = 0.5, MURMUR_LOUD = 0.12, WET = 0.9; // taste
+const HEARD_M = 14, VOICES = 4, MOST_STEPS = 10, CHOSEN_S = 1, STEP_LOUD = 0.5, MURMUR_LOUD = 0.12, WET = 0.9, DRIFT_S = 0.3, MOUTH_M = 1.55; // taste
 
 // A buffer of noise shaped by a function of seconds; the same numbers every time.
 function noiseOf(context, seconds, shape) {
@@ -38,8 +38,8 @@ function talkOf(context) {
   });
 }
 
-// `echo` is a WAV's bytes or null; `inside` tells how much of the echo is heard at a place.
-async function soundOf(echo, inside) {
+// `echo` is a WAV's bytes or null; `inside` tells how much of the echo is heard at a place; `speech` are WAVs by name.
+async function soundOf(echo, inside, speech) {
   const context = new AudioContext(), out = context.createGain();
   out.connect(context.destination);
   let wet = null;
@@ -49,6 +49,8 @@ async function soundOf(echo, inside) {
     wet = context.createGain();
     wet.connect(room).connect(out);
   }
+  const spoken = {}, speaking = new Map();
+  for (const [name, bytes] of Object.entries(speech)) spoken[name] = await context.decodeAudioData(bytes.slice().buffer);
   const heel = heelOf(context), talk = talkOf(context), last = [];
   const placed = () => {
     const panner = new PannerNode(context, { panningModel: "HRTF", distanceModel: "inverse", refDistance: 1, rolloffFactor: 1 });
@@ -71,7 +73,28 @@ async function soundOf(echo, inside) {
   });
   let chosen = -9;
   const sound = {
-    context, steps: 0,
+    context, steps: 0, speaking,
+    // Who says what now, from where the mouth is; what is paused, or begins again, ends.
+    speak(said, now, paused, { x, y, z }) {
+      if (context.state !== "running") return;
+      said.forEach((one, k) => {
+        const buffer = spoken[one.sound], at = now - one.when, goes = speaking.get(k);
+        const wanted = buffer && !paused && at >= 0 && at < buffer.duration;
+        if (goes && (!wanted || Math.abs(context.currentTime - goes.since - at) > DRIFT_S)) {
+          goes.source.stop();
+          goes.panner.disconnect();
+          speaking.delete(k);
+        }
+        if (!wanted) return;
+        if (!speaking.has(k)) {
+          const source = new AudioBufferSourceNode(context, { buffer }), panner = placed();
+          source.connect(panner);
+          source.start(0, at);
+          speaking.set(k, { source, panner, since: context.currentTime - at });
+        }
+        put(speaking.get(k).panner, x[one.who], y[one.who] + MOUTH_M, z[one.who]);
+      });
+    },
     // What is heard by this eye of these people now.
     hear(eye, ahead, { x, y, z, rows, count }, acted) {
       const ear = context.listener, now = context.currentTime;

@@ -89,7 +89,8 @@ async function loadStage(facts, told) {
       ["colours", "shapes", "covers", "atlas", "codes", "shell"].map((name) => pixelsOf(`${place}${name}.webp`)));
     const [stone, stoneShell] = facts.statues
       ? await Promise.all(["stone", "stone_shell"].map((name) => pixelsOf(`${place}${name}.webp`))) : [];
-    people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell, stone, stoneShell });
+    const face = facts.faces ? (await arraysOf(bytesOf(place + "face.bin"), row.face)).moves : null;
+    people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell, stone, stoneShell, face });
     told(people.length, facts.people.length);
   }
   const textures = { ...bodyTextures(people), ...farTextures(people) };

@@ -94,8 +94,15 @@ class SpeechFrames:
         )
 
 
-def read_wav(path: Path) -> Array:
-    """Return the sound of a WAV file as one channel of `RATE_HZ` samples a second, -1..1.
+def resampled(rate: int, sound: Array) -> Array:
+    """Return sound of ``rate`` samples a second as one of `RATE_HZ`, -1..1."""
+    divisor = int(np.gcd(rate, RATE_HZ))
+    sound = resample_poly(sound, RATE_HZ // divisor, rate // divisor)
+    return np.asarray(sound / np.abs(sound).max())
+
+
+def read_sound(path: Path) -> tuple[int, Array]:
+    """Return the samples a second of a WAV file and its sound as one channel, in the file's own units.
 
     Raises
     ------
@@ -122,9 +129,7 @@ def read_wav(path: Path) -> Array:
         sound = sound.mean(axis=1)
     if len(sound) < RATE_HZ * FRAME_S or not 0.0 < np.abs(sound).max() < np.inf:  # neither nan
         raise ClonerError("there is nothing to hear in the sound", "Record it again", path.name)
-    divisor = int(np.gcd(rate, RATE_HZ))
-    sound = resample_poly(sound, RATE_HZ // divisor, rate // divisor)
-    return np.asarray(sound / np.abs(sound).max())
+    return int(rate), sound
 
 
 def frame_features(sound: Array) -> SpeechFrames:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -14,7 +15,7 @@ from cloner.motion.face.espeak import spoken
 from cloner.motion.face.expressions import Beat, mixed, play
 from cloner.motion.face.heard import heard_visemes
 from cloner.motion.face.score import GESTURES, QUICK, SILENT, Score
-from cloner.motion.face.sound import FRAME_S, frame_features, read_wav, sound_visemes
+from cloner.motion.face.sound import FRAME_S, RATE_HZ, frame_features, read_sound, resampled, sound_visemes
 from cloner.motion.face.speech import LARGEST_BYTES, STEP_S, mouth_weights, phoneme_visemes, read_phonemes, smoothed
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import Body
@@ -35,8 +36,24 @@ NOD: Final = 0.035  # radians of nodding at the loudest; taste
 TURN: Final = 0.03
 
 
-def spoken_visemes(path: Path) -> Array:
-    """Return (F, 15) shares of the mouth shapes of a .wav file, of phonemes or of words, one row a hundredth second.
+@dataclass(frozen=True, slots=True, eq=False)
+class Speech:
+    """What somebody says.
+
+    Attributes
+    ----------
+    shares : (F, 15) of the mouth shapes, one row a hundredth second
+    rate_hz : int
+    sound : (N,) -1..1 at that rate; of none, where only phonemes are told
+    """
+
+    shares: Array
+    rate_hz: int
+    sound: Array
+
+
+def speech_in(path: Path) -> Speech:
+    """Return what a .wav file, phonemes or words say.
 
     A .txt file holds phonemes, one a line with its seconds, or else words for espeak-ng; its language stands between
     two dots of the file's name, "hello.de.txt".
@@ -47,13 +64,19 @@ def spoken_visemes(path: Path) -> Array:
         If the file cannot be read.
     """
     if path.suffix.lower() == ".wav":
-        return _heard(read_wav(path))
+        rate, sound = read_sound(path)
+        return Speech(_heard(resampled(rate, sound)), rate, sound / np.abs(sound).max())
     words = _words_in(path)
     if words is None:
-        return phoneme_visemes(read_phonemes(path))
+        return Speech(phoneme_visemes(read_phonemes(path)), RATE_HZ, np.zeros(0))
     language = path.suffixes[-2][1:] if len(path.suffixes) > 1 else "en-us"
-    _, _, phonemes = spoken(words, language)
-    return phoneme_visemes(phonemes)
+    rate, samples, phonemes = spoken(words, language)
+    return Speech(phoneme_visemes(phonemes), rate, samples / max(float(np.abs(samples).max()), 1.0))
+
+
+def spoken_visemes(path: Path) -> Array:
+    """Return (F, 15) shares of the mouth shapes of :func:`speech_in`."""
+    return speech_in(path).shares
 
 
 def _heard(sound: Array) -> Array:
@@ -97,14 +120,32 @@ def talk(body: Body, name: str, shares: Array, score: Score = SILENT) -> Motion:
     score : Score
         What else the face does meanwhile; eyes that have a track of their own do not blink by themselves.
     """
-    times, mouth = mouth_weights(shares, FRAMES_PER_S)
-    loud = gaussian_filter1d(np.clip(sum(mouth.values()), 0.0, 1.0), 0.15 * FRAMES_PER_S)
-    tracks = {"eyes": _blinks(times), "brows": _stress(loud)} | score.weights(times)
+    times, mouth, tracks, loud = _speaking(shares)
+    tracks |= score.weights(times)
     tracks["mouth"] = mouth | tracks.get("mouth", {})
     angles = score.head_angles(times)
     angles[:, 0] += NOD * loud
     angles[:, 1] += TURN * np.sin(2.0 * np.pi * times / 4.3) * loud
     return _standing(body, name, times, angles, mixed(tracks))
+
+
+def face_weights(shares: Array) -> tuple[Array, dict[str, Array]]:
+    """Return times (F,), seconds, and weights of the targets of a face that speaks and does nothing else.
+
+    Parameters
+    ----------
+    shares : (F, 15)
+        As :func:`spoken_visemes` gives them.
+    """
+    times, mouth, tracks, _ = _speaking(shares)
+    return times, mixed(tracks | {"mouth": mouth})
+
+
+def _speaking(shares: Array) -> tuple[Array, dict[str, Array], dict[str, dict[str, Array]], Array]:
+    """Return times, the mouth, the tracks of eyes and brows, and how loud it is; (F,) each."""
+    times, mouth = mouth_weights(shares, FRAMES_PER_S)
+    loud = gaussian_filter1d(np.clip(sum(mouth.values()), 0.0, 1.0), 0.15 * FRAMES_PER_S)
+    return times, mouth, {"eyes": _blinks(times), "brows": _stress(loud)}, loud
 
 
 def scored(body: Body, name: str, score: Score) -> Motion:

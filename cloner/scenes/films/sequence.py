@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +20,8 @@ LARGEST_BYTES: Final = 1_000_000
 MOST_ACTORS, MOST_LINES = 2_000, 5_000
 FEELINGS: Final = ("regular", "sad", "calm", "happy", "explosive", "afraid")
 ACTS: Final = ("look", "wave", "point", "photograph", "pay", "applaud", "lift", "sit", "stand")
+#: What may be said: a file beside the film.
+_SOUND: Final = re.compile(r"(?!\.)[^/\\\0]{1,200}\.(wav|txt)", re.IGNORECASE)
 #: How the eye opens where nothing is said, degrees from bottom to top; a person from head to foot fills it at 2 m.
 LENS_DEG: Final = 45.0
 
@@ -63,7 +66,7 @@ class Key:
 
 @dataclass(slots=True)
 class Sequence:
-    """A whole film."""
+    """A whole film; heads are (when, by whom, whose, how long given), speeches (when, by whom, the file's name)."""
 
     title: str = ""
     seconds: float = 30.0
@@ -75,6 +78,7 @@ class Sequence:
     keys: list[Key] = field(default_factory=list)
     captions: list[tuple[float, float, str]] = field(default_factory=list)
     heads: list[tuple[float, int, int, float]] = field(default_factory=list)
+    speeches: list[tuple[float, tuple[int, ...], str]] = field(default_factory=list)
 
 
 def read_sequence(path: Path) -> Sequence:
@@ -252,7 +256,7 @@ def _caption(words: Words, film: Sequence, when: float) -> None:
 
 def _deed(words: Words, film: Sequence, when: float) -> None:
     actors = _who(words, film)
-    deed = words.word("awakens", "hardens", "rises", "walks", "runs", "turns", "does", "gives")
+    deed = words.word("awakens", "hardens", "rises", "walks", "runs", "turns", "does", "gives", "says")
     if deed in ("awakens", "hardens"):
         seconds = words.seconds("in", 3.0)
         film.keys.append(Key(when, "stone", (0.0 if deed == "awakens" else 1.0,), seconds, actors))
@@ -272,6 +276,11 @@ def _deed(words: Words, film: Sequence, when: float) -> None:
     elif deed == "does":
         word = words.word(*ACTS)
         film.orders.append(Order(when, actors, "does", word=word, seconds=words.seconds("for")))
+    elif deed == "says":
+        name = words.take("text", 'a file\'s name in quotes, such as "hello.wav"').strip('"')
+        if not _SOUND.fullmatch(name):
+            raise words.wrong("the name of a .wav or .txt file beside the film", 1)
+        film.speeches.append((when, actors, name))
     else:
         other = _who(words, film)[0]
         words.must("the", "head")

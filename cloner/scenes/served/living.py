@@ -86,7 +86,7 @@ class Living:
         self._clones, self._said = clones, said
         self._facts = read_facts(pack)
         self._acted = read_acted(pack, self._facts)
-        self._body = body_levels()
+        self._body = body_levels(mouth="faces" in self._facts)
         self._there: OrderedDict[str, _There] = OrderedDict()
         self._keys: dict[Mark, str] = {}
         self._old = frozenset(self._marks())

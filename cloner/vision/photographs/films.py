@@ -14,13 +14,18 @@ from numpy.typing import NDArray
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
+from cloner.vision.photographs.film_sound import add_sound
+
 Pixels = NDArray[np.uint8]
 
 FORMATS: Final = (".gif", ".webp", ".mp4")
 WEBP_QUALITY: Final = 80  # taste
 
 
-def write_film(pictures: Iterable[Pixels], per_second: float, path: Path, told: str = "") -> None:
+def write_film(
+    pictures: Iterable[Pixels], per_second: float, path: Path, told: str = "",
+    sound: NDArray[np.floating] | None = None, rate_hz: int = 0,
+) -> None:  # fmt: skip
     """Write pictures as a film; GIF and WebP repeat for ever.
 
     Parameters
@@ -32,6 +37,8 @@ def write_film(pictures: Iterable[Pixels], per_second: float, path: Path, told: 
         Its suffix is one of `FORMATS`.
     told : str
         What the file says of itself, ASCII: a GIF's comment, a WebP's XMP, a free box behind an MPEG-4.
+    sound : (N, 2) left and right, -1..1, of ``rate_hz`` samples a second, or None
+        MPEG-4 alone keeps it.
 
     Raises
     ------
@@ -40,6 +47,8 @@ def write_film(pictures: Iterable[Pixels], per_second: float, path: Path, told: 
     """
     if path.suffix.lower() == ".mp4":
         _write_mp4(pictures, per_second, path)
+        if sound is not None:
+            add_sound(path, np.rint(sound * 32767.0).astype(np.int16), rate_hz)
         if told:
             with path.open("ab") as stream:  # ISO 14496-12, 8.1.2: a free box may stand anywhere, and is skipped
                 stream.write(struct.pack(">I4s", 8 + len(told), b"free") + told.encode("ascii"))

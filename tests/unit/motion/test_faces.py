@@ -101,7 +101,7 @@ def test_broken_sounds_are_refused_in_words(content, tmp_path: Path) -> None:
     path = tmp_path / "broken.wav"
     path.write_bytes(content)
     with pytest.raises(ClonerError) as caught:
-        sound_file.read_wav(path)
+        sound_file.read_sound(path)
     assert caught.value.where == "broken.wav"
 
 

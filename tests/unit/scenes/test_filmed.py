@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.pack import make_pack
@@ -44,9 +45,9 @@ at 2.5 s: caption "So" for 1 s
 
 @pytest.fixture(scope="module")
 def cast(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Two people of paint, in stone too."""
+    """Two people of paint, in stone too, who can speak."""
     out = tmp_path_factory.mktemp("cast") / "pack"
-    wanted = replace(WANTED, vat=False, feelings=True, carved=partial(statue_of, material="stone"))
+    wanted = replace(WANTED, vat=False, feelings=True, carved=partial(statue_of, material="stone"), speech=True)
     make_pack([two_results(tmp_path_factory.mktemp("results"))], out, wanted)
     return out
 
@@ -215,3 +216,56 @@ def test_statues_of_a_scenario_are_clones_in_stone_that_awake(cast: Path, tmp_pa
     assert before[0, 3] == pytest.approx(np.pi / 2.0), "it faces the middle of the floor"
     assert before[4, 1:3] == pytest.approx([1.0, 0.5])
     assert after[4, 1:3] == pytest.approx([0.0, 0.5])
+
+
+SPOKEN = """film "Talk" for 1.2 s, 320 x 240, 10 frames a second
+actor ada is ada at 4, 3 facing 180
+actor ben is ben at 5, 3 facing 180
+at 0 s: camera at 4, 2.2, 1.6 looks at ada, lens 14
+at .4 s: ada says "aa.txt"
+"""
+
+
+@pytest.fixture(scope="module")
+def talked(cast: Path, lit_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """Pictures of one who says "ah", and the staged pack."""
+    folder = tmp_path_factory.mktemp("talked")
+    (folder / "talk.film").write_text(SPOKEN)
+    (folder / "aa.txt").write_text("AA 0.6\n")
+    film_file(folder / "talk.film", lit_folder, cast, folder / "pictures", folder / "staged")
+    return folder / "pictures", folder / "staged"
+
+
+def test_a_mouth_opens_while_somebody_speaks(talked: tuple[Path, Path]) -> None:
+    pictures = [np.asarray(Image.open(talked[0] / f"000{k:02d}.png")).astype(int) for k in (4, 8, 12)]
+    before, open_, after = (int((one[190:, 110:200, 0] - one[190:, 110:200, 1] > 80).sum()) for one in pictures)
+    assert open_ > 100, "the tongue is seen"
+    assert max(before, after) < 20
+    facts = read_facts(talked[1])
+    held = read_stock(talked[1], facts)
+    assert held.faces is not None
+    assert len(held.body.vertex) > len(body_levels().vertex), "teeth and tongue"
+    assert check_pack(talked[1])
+
+
+def test_who_cannot_speak_is_told(talked: tuple[Path, Path], lively: Path, lit_folder: Path, tmp_path: Path) -> None:
+    with pytest.raises(ClonerError, match=r"nobody in the pack can speak\. Make it with cloner crowd --speech"):
+        film_file(talked[0].parent / "talk.film", lit_folder, lively, tmp_path / "x", None)
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+def test_the_page_opens_the_same_mouth(talked: tuple[Path, Path], tmp_path: Path) -> None:
+    with browser(tmp_path / "profile") as page:
+        page.open(talked[1] / "player.html", *SIZE)
+        page.wait_for("document.body?.dataset.ready === 'yes'", 120)
+        page.value("document.querySelectorAll('#knobs, #stats').forEach((one) => one.style.display = 'none')")
+        shown = []
+        for now in (0.3, 0.7):
+            page.value(f"crowd.set({json.dumps({'now': now})})")
+            page.value("crowd.draw() && 1")
+            shown.append(page.picture().astype(int))
+        assert page.value("uniforms.speakers.value") == 1
+        drawn = [np.asarray(Image.open(talked[0] / f"000{k:02d}.png")).astype(int) for k in (4, 8)]
+        moved = [np.abs(last - first).max(axis=2) > 40 for first, last in (shown, drawn)]
+        assert (moved[0] & moved[1]).sum() > 0.7 * (moved[0] | moved[1]).sum()
+        assert page.complaints() == []

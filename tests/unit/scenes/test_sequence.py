@@ -39,7 +39,7 @@ def test_what_happens_is_kept_with_its_time() -> None:
         BEGIN
         + "at 1 s: first awakens in 4 s\nat 2.5 s: army walks by 0, -3 happy\nat 3 s: first turns to second\n"
         + 'at 4 s: light .1, .2, .3 in 2 s\nat 5 s: caption "Who am I?" for 2 s\n'
-        + "at 6 s: first gives second the head in 3 s\n",
+        + 'at 6 s: first gives second the head in 3 s\nat 7 s: army says "all of us.fr.txt"\n',
         "a.film",
     )  # fmt: skip
     assert Key(1.0, "stone", (0.0,), 4.0, (0,)) in film.keys
@@ -49,6 +49,7 @@ def test_what_happens_is_kept_with_its_time() -> None:
     ]  # fmt: skip
     assert film.captions == [(5.0, 7.0, "Who am I?")]
     assert film.heads == [(6.0, 0, 1, 3.0)]
+    assert film.speeches == [(7.0, (2, 3, 4, 5, 6, 7), "all of us.fr.txt")]
 
 
 @pytest.mark.parametrize(
@@ -62,6 +63,8 @@ def test_what_happens_is_kept_with_its_time() -> None:
         ("at -3 s: first awakens", "column 4: '-3' stands where a time in seconds from 0 to 1800 was expected"),
         ("at 3 s: light 1, 2", "column 19: the line's end stands where ',' was expected"),
         ("at 3 s: light 1, 2, 99", "column 21: '99' stands where red, green, blue from 0 to 10 was expected"),
+        ('at 3 s: first says "../hello.wav"', "where the name of a .wav or .txt file beside the film was expected"),
+        ("at 3 s: first says hello", "column 20: 'hello' stands where a file's name in quotes"),
         ("at 3 s: first gives army the head in 2 s", "somebody whose head lies somewhere"),
         ("actor first is anna at 1, 1", "column 7: 'first' stands where a name that is not taken was expected"),
         ("rows all of 500 x 500 from 0, 0 to 9, 9", "at most 2000 actors"),

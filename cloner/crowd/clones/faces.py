@@ -1,0 +1,61 @@
+"""How faces of a crowd move when somebody speaks: a few of a clone's targets, over the wedges that they move."""
+
+from __future__ import annotations
+
+import functools
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.clones.levels import BodyLevels
+from cloner.generic.load import load_generic
+from cloner.generic.morphs import target_offsets
+from cloner.motion.face.speech import VISEMES
+from cloner.records.clones import Clone
+
+#: Mouth shapes, and what :func:`cloner.motion.face.talk.face_weights` moves beside them.
+TARGETS: Final = (
+    *(f"viseme_{name}" for name in VISEMES if name != "sil"),
+    "eyeBlinkLeft", "eyeBlinkRight", "browInnerUp", "browOuterUpLeft", "browOuterUpRight",
+)  # fmt: skip
+#: Shaders read weights by fours: so many a face, the last ones of nothing.
+WEIGHTS: Final = 20
+#: What a whole number stands for: the farthest target, a blink, moves by 16 mm, 16 bits reach 33.
+STEP_M: Final = 1e-6
+
+
+@functools.cache
+def _moving() -> NDArray[np.int64]:
+    """Return the generic human's vertices that any of `TARGETS` moves."""
+    generic = load_generic()
+    found = []
+    for names, start, index in (
+        (generic.arkit_names, generic.arkit_start, generic.arkit_index),
+        (generic.viseme_names, generic.viseme_start, generic.viseme_index),
+    ):
+        found += [index[start[k] : start[k + 1]] for k, name in enumerate(names) if name in TARGETS]
+    return np.unique(np.concatenate(found)).astype(np.int64)
+
+
+def face_wedges(body: BodyLevels) -> NDArray[np.int64]:
+    """Return (N,) the wedges that faces move."""
+    return np.flatnonzero(np.isin(body.vertex, _moving()))
+
+
+def face_rows(body: BodyLevels) -> NDArray[np.uint16]:
+    """Return (V,) where each wedge lies among those that faces move, from 1; 0 for those that stay."""
+    wedges, rows = face_wedges(body), np.zeros(len(body.vertex), np.uint16)
+    rows[wedges] = np.arange(1, len(wedges) + 1)
+    return rows
+
+
+def face_moves(clone: Clone, body: BodyLevels) -> NDArray[np.int16]:
+    """Return (WEIGHTS, N, 3) how far each target moves the wedges of :func:`face_wedges`, in `STEP_M`."""
+    vertices = body.vertex[face_wedges(body)]
+    out = np.zeros((WEIGHTS, len(vertices), 3), np.int16)
+    for name, offsets in target_offsets(clone):
+        if name in TARGETS:
+            whole = np.round(offsets[vertices] / STEP_M)
+            out[TARGETS.index(name)] = np.clip(whole, -32767, 32767)
+    return out

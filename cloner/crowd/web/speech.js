@@ -1,0 +1,55 @@
+"use strict";
+// Who speaks in a film, and how the face moves then: the same rules as cloner/crowd/staged/speech.py.
+
+const SPOKEN_HZ = 30, MOST_AT_ONCE = 8, FACE_WEIGHTS = 20;
+const MOVES = { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" };
+const ROWS = { format: THREE.RedIntegerFormat, type: THREE.UnsignedShortType, internalFormat: "R16UI" };
+
+// What person.vert reads of faces, which are still until somebody speaks.
+function faceUniforms() {
+  return {
+    faces: { value: arrayTexture(new Int16Array(4), 1, 1, 1, MOVES) },
+    faceRows: { value: flatTexture(new Uint16Array(1), 1, 1, ROWS) }, faceHigh: { value: 1 },
+    speakers: { value: 0 }, speaks: { value: new Array(MOST_AT_ONCE).fill(-1) },
+    mouths: { value: new Float32Array(MOST_AT_ONCE * FACE_WEIGHTS) },
+  };
+}
+
+// `rows` tells where each of the body's vertices lies in a face; `moves` are each clone's, one target after another.
+function faceTextures(rows, moves) {
+  const count = moves[0].length / 3 / FACE_WEIGHTS, high = Math.ceil(count / WIDE);
+  const data = new Int16Array(moves.length * FACE_WEIGHTS * high * WIDE * 4);
+  moves.forEach((own, clone) => {
+    for (let t = 0; t < FACE_WEIGHTS; t++)
+      for (let k = 0; k < count; k++)
+        data.set(own.subarray((t * count + k) * 3, (t * count + k + 1) * 3), ((clone * FACE_WEIGHTS + t) * high * WIDE + k) * 4);
+  });
+  const tall = Math.ceil(rows.length / WIDE), padded = new Uint16Array(tall * WIDE);
+  padded.set(rows);
+  return {
+    faces: arrayTexture(data, WIDE, FACE_WEIGHTS * high, moves.length, MOVES),
+    faceRows: flatTexture(padded, WIDE, tall, ROWS), faceHigh: high,
+  };
+}
+
+// `weights` are the rows that `said` speaks of.
+function spokenOf(said, weights) {
+  return {
+    said,
+    move({ speakers, speaks, mouths }, now) {
+      const who = speaks.value.fill(-1);
+      let count = 0;
+      mouths.value.fill(0);
+      for (const one of said) {
+        const at = (now - one.when) * SPOKEN_HZ;
+        if (at < 0 || at > one.frames - 1 || who.includes(one.who) || count === MOST_AT_ONCE) continue;
+        const row = Math.min(Math.floor(at), Math.max(one.frames - 2, 0)), share = at - row;
+        const first = (one.first + row) * FACE_WEIGHTS, last = (one.first + Math.min(row + 1, one.frames - 1)) * FACE_WEIGHTS;
+        for (let t = 0; t < FACE_WEIGHTS; t++)
+          mouths.value[count * FACE_WEIGHTS + t] = weights[first + t] + (weights[last + t] - weights[first + t]) * share;
+        who[count++] = one.who;
+      }
+      speakers.value = count;
+    },
+  };
+}

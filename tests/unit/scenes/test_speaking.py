@@ -1,0 +1,111 @@
+"""What is said in films: by which files, heard from where, and kept in which bytes."""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from scipy.io import wavfile
+
+from cloner.crowd.clones.faces import TARGETS
+from cloner.crowd.staged.speech import MOST_AT_ONCE, Said, Spoken
+from cloner.errors import ClonerError
+from cloner.scenes.films.sequence import sequence_of
+from cloner.scenes.films.voices import RATE_HZ, Voices, heard, voices_of
+from cloner.vision.photographs.films import write_film
+
+BEGIN = """film "Talk" for 4 s, 64 x 48, 4 frames a second
+actor ada is ada at 1, 4
+rows choir of 3 x 3 from 0, 8 to 2, 12
+rows pair of 2 x 1 from 4, 8 to 6, 8
+at 0 s: camera at 1, 0, 1.5 looks at ada
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "mama.txt").write_text("M 0.2\nAA 0.2\nM 0.2\nAA 0.2\n")
+    tone = np.sin(np.arange(16_000) * 2.0 * np.pi * 220.0 / 16_000)
+    wavfile.write(tmp_path / "tone.wav", 16_000, (8_000 * tone).astype(np.int16))
+    return tmp_path
+
+
+def test_lips_meet_when_phonemes_say_so_and_a_sound_is_kept(folder: Path) -> None:
+    parts, voices = voices_of(
+        sequence_of(BEGIN + 'at 1 s: ada says "mama.txt"\nat 2 s: pair says "tone.wav"\n', "a"), folder
+    ) or pytest.fail("nobody speaks")
+    assert [one.when for one in voices.said] == [1.0, 2.0, 2.0]
+    assert sorted(parts.files) == ["speech/1.wav", "spoken.bin"], "phonemes make no sound"
+    assert len(voices.sounds[1]) == RATE_HZ
+
+
+def test_a_mouth_is_between_two_rows_and_still_before_and_after() -> None:
+    weights = np.zeros((3, 20), np.float32)
+    weights[1, TARGETS.index("viseme_aa")] = 1.0
+    spoken = Spoken(weights, (Said(4, 1.0, 0, 3, ""),))
+    assert spoken.faces(0.99)[0] == spoken.faces(1.08)[0] == []
+    who, rows = spoken.faces(1.0 + 0.5 / 30.0)
+    assert who == [4]
+    assert rows[0, TARGETS.index("viseme_aa")] == pytest.approx(0.5, abs=1e-5)
+
+
+def test_too_many_at_a_time_or_one_twice_is_told(folder: Path) -> None:
+    nine = sequence_of(BEGIN + 'at 1 s: choir says "mama.txt"\n', "a")
+    with pytest.raises(ClonerError, match=rf"9 speak at 1 s\. Let at most {MOST_AT_ONCE} speak"):
+        voices_of(nine, folder)
+    with pytest.raises(ClonerError, match=r"ada is still speaking at 1\.5 s"):
+        voices_of(sequence_of(BEGIN + 'at 1 s: ada says "mama.txt"\nat 1.5 s: ada says "tone.wav"\n', "a"), folder)
+    with pytest.raises(ClonerError, match=r"none\.wav"):
+        voices_of(sequence_of(BEGIN + 'at 1 s: ada says "none.wav"\n', "a"), folder)
+    assert voices_of(sequence_of(BEGIN, "a"), folder) is None
+
+
+def test_who_is_on_the_right_is_heard_there_and_louder_when_near() -> None:
+    tone = np.sin(np.arange(RATE_HZ) * 0.05)
+
+    def energy(head: tuple[float, float, float]) -> np.ndarray:
+        said = Voices((Said(0, 0.5, 0, 30, ""),), (tone,))
+        out = heard(said, 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([head])))
+        assert not out[: RATE_HZ // 2].any()
+        assert not out[RATE_HZ // 2 + RATE_HZ :].any()
+        return np.asarray((out**2).sum(axis=0))
+
+    right, ahead, far = energy((2.0, 0.0, 0.0)), energy((0.0, 0.0, -2.0)), energy((0.0, 0.0, -4.0))
+    assert right[0] < 1e-6 * right[1]
+    assert ahead[0] == pytest.approx(ahead[1])
+    assert ahead.sum() == pytest.approx(4.0 * far.sum(), rel=1e-3), "by the square of how far"
+
+
+def test_a_room_rings_after_the_voice_where_it_has_an_echo() -> None:
+    import io
+
+    stream, ring = io.BytesIO(), np.zeros(22_050, np.int16)
+    ring[11_025] = 30_000
+    wavfile.write(stream, 22_050, ring)
+    said = Voices((Said(0, 0.0, 0, 30, ""),), (np.sin(np.arange(4_800) * 0.05),))
+    ear = lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([[0.0, 0.0, -2.0]]))  # noqa: E731
+    inside, outside = (heard(said, 2.0, ear, (stream.getvalue(), box)) for box in ((-5, -5, 5, 5), (8, 8, 9, 9)))
+    late = slice(round(0.49 * RATE_HZ), round(0.62 * RATE_HZ))
+    assert np.abs(inside[late]).max() == pytest.approx(np.abs(outside[late]).max() / 0.15, rel=1e-3)
+    assert np.abs(outside[late]).max() > 1e-3
+
+
+def test_a_film_keeps_its_sound_sample_for_sample(tmp_path: Path) -> None:
+    sound = np.random.default_rng(1).uniform(-1.0, 1.0, (round(2.4 * RATE_HZ), 2))
+    shown = [np.full((48, 64, 3), 10 * k, np.uint8) for k in range(10)]
+    write_film(iter(shown), 4.0, tmp_path / "a.mp4", "told", sound, RATE_HZ)
+    film = cv2.VideoCapture(str(tmp_path / "a.mp4"))
+    assert film.get(cv2.CAP_PROP_FRAME_COUNT) == 10
+    assert film.read()[1].mean() == pytest.approx(0.0, abs=3.0)
+    data = (tmp_path / "a.mp4").read_bytes()
+    track = data.index(b"sowt")
+    table = data.index(b"co64", track)
+    count = struct.unpack_from(">I", data, table + 8)[0]
+    firsts = struct.unpack_from(f">{count}Q", data, table + 12)
+    kept = b"".join(data[first : first + 4 * RATE_HZ] for first in firsts)[: 4 * len(sound)]
+    assert count == 3
+    assert np.array_equal(np.frombuffer(kept, "<i2").reshape(-1, 2), np.rint(sound * 32767.0))
+    assert data.endswith(b"told")
