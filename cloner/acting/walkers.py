@@ -27,6 +27,9 @@ BEYOND_S: Final = 0.35
 #: Steps are not shorter than this share of the style's, nor is its pace slower or faster than these: a slower walk is
 #: half in length and half in pace (walkers §4: both by the square root).
 SHORTEST: Final = 0.5
+#: Steps of this share and more are whole ones: a whole walk is smooth between its frames, a blended one shows frame
+#: after frame. From .994 on ways that turn by .5 rad/s would count, whose feet twist between frames.
+WHOLE: Final = 0.998
 SLOWEST, FASTEST = 0.6, 1.7
 #: So much faster than their walk people begin to run, and walk again; taste.
 RUNS, WALKS = 1.4, 1.2
@@ -266,6 +269,7 @@ class Walker:
         needed = float(np.hypot(*(self.track.place(self.now + AHEAD_S) - self.at))) / AHEAD_S
         ratio = needed / (self._speed(walk) * self.scale)
         share = float(np.clip(np.sqrt(ratio), SHORTEST, 1.0))
+        share = 1.0 if share > WHOLE else share
         return share, float(np.clip(ratio / share, SLOWEST, FASTEST))
 
     def _speed(self, walk: int) -> float:

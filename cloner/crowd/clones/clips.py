@@ -103,10 +103,11 @@ def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: 
 def walked(body: Body, style: Style) -> Motion:
     """Return a walk in as many frames as are shown, its feet planted between these.
 
-    Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next.
+    Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next. Whoever is
+    shown between frames as well is seen low above the ground when a foot has just left it: it rises for two.
     """
     motion = shown(walk(body, style), WALK_FRAMES)
-    return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style))
+    return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style), straight=2)
 
 
 def shown(motion: Motion, count: int) -> Motion:

@@ -24,11 +24,11 @@ from cloner.records.motions import Motion
 #: A foot that leaves the ground or comes to it does so at this speed upright, metres a second, up to this height, m:
 #: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch. Walkers clear 10 to 20;
 #: every millimetre more bends the knees of a leg that was captured straight, by 13 degrees for the first nine.
-RISES_M_S: Final = 0.36
+RISES_M_S: Final = 0.54
 CLEARS_M: Final = 0.009
-#: A leg is never straightened farther than this share of its length: knees must not snap.
 #: What a stand's last correction adds to the way of the swing after it, metres: not more than a foot would swerve.
 SWERVE_M: Final = 0.03
+#: A leg is never straightened farther than this share of its length: knees must not snap.
 REACH: Final = 0.9995
 #: The pelvis comes down over this time before a leg would be too short, seconds; taste.
 LOWERS_S: Final = 0.08
@@ -36,7 +36,7 @@ LOWERS_S: Final = 0.08
 AHEAD: Final = 0.02
 
 
-def planted(body: Body, motion: Motion, stands: tuple[Mask, Mask] | None = None) -> Motion:
+def planted(body: Body, motion: Motion, stands: tuple[Mask, Mask] | None = None, straight: int = 1) -> Motion:
     """Return the motion with standing feet kept on their spot of the ground, and all others clear of it.
 
     Parameters
@@ -46,13 +46,15 @@ def planted(body: Body, motion: Motion, stands: tuple[Mask, Mask] | None = None)
         The ground, at y = 0, runs backwards by its ``speed_m_s``.
     stands : (F,) bool of the left and of the right foot
         When they stand; None finds it out.
+    straight : int
+        For so many frames a foot goes straight up from where it stood and straight down to where it will.
     """
     stands = standing(body, motion) if stands is None else stands
     world = body.world(motion)
     where = turns.places(world, body.joints_m, body.parents, motion.root_m)
     goals = []
     for side, own, sole in zip(SIDES, stands, body.sole_points(world, motion.root_m), strict=True):
-        goals.append(where[:, body.joint(f"{side}_ankle")] + _corrections(motion, own, sole))
+        goals.append(where[:, body.joint(f"{side}_ankle")] + _corrections(motion, own, sole, straight))
     root = motion.root_m - np.outer(_lowered(body, motion, where, goals), (0.0, 1.0, 0.0))
     where = turns.places(world, body.joints_m, body.parents, root)
     for side, goal in zip(SIDES, goals, strict=True):
@@ -60,7 +62,7 @@ def planted(body: Body, motion: Motion, stands: tuple[Mask, Mask] | None = None)
     return replace(motion, root_m=root, rotations=turns.local_from_world(world, body.parents))
 
 
-def _corrections(motion: Motion, stands: Mask, sole: Array) -> Array:
+def _corrections(motion: Motion, stands: Mask, sole: Array, straight: int) -> Array:
     """Return (F, 3) by how much a foot with its sole's points at (F, N, 3) has to move, metres."""
     count = len(stands) - 1 if motion.cyclic else len(stands)
     low = sole[..., 1].min(axis=1)
@@ -70,8 +72,9 @@ def _corrections(motion: Motion, stands: Mask, sole: Array) -> Array:
         return np.outer(_lift(motion, stands, low), (0.0, 1.0, 0.0))
     ends: list[tuple[int, int, Array]] = []
     for first, last in found:
-        # One frame more on either side goes straight up and down.
-        frames = np.arange(first - 1, last + 2) if motion.cyclic else np.arange(max(first - 1, 0), min(last + 2, count))
+        # On either side the foot goes straight up and down.
+        frames = np.arange(first - straight, last + straight + 1)
+        frames = frames if motion.cyclic else frames[(frames >= 0) & (frames < count)]
         undone = np.zeros((len(frames), 3))
         undone[1:, [0, 2]] = -np.cumsum(slips[frames[:-1] % count], axis=0)
         undone -= undone.mean(axis=0)  # the stand moves as little as may be
