@@ -39,7 +39,7 @@ def worn(eva: Clone) -> tuple[Dressed, Dressed, Dressed]:
     for name, fabric, over in (("dress", "silk", False), ("coat", "wool", True), ("coat", "wool", False)):
         pattern, ring = pattern_of(eva, name, None)
         under = made[0] if over else None
-        made.append(dressed(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.05, under=under))
+        made.append(dressed(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.06, under=under))
     return made[0], made[1], made[2]
 
 
@@ -86,10 +86,10 @@ def test_what_is_below_goes_into_its_loop_within_the_first_cycle() -> None:
 
 def test_the_command_takes_what_is_worn_over_it(eva: Clone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     usual = dressing.Dressing.__init__.__kwdefaults__
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.1})
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.13})
     monkeypatch.setattr(dressing.dressed, "__kwdefaults__", dressing.dressed.__kwdefaults__ | {"cycles": 4})
-    monkeypatch.setattr("cloner.cloth.written.STEP_M", 0.1)
-    monkeypatch.setattr("cloner.cloth.written.FOLDER_STEP_M", 0.1)
+    monkeypatch.setattr("cloner.cloth.written.STEP_M", 0.13)
+    monkeypatch.setattr("cloner.cloth.written.FOLDER_STEP_M", 0.13)
     save_clone(eva, tmp_path / "clone.npz")
     out = tmp_path / "both.glb"
     asked = ["dress", str(tmp_path), "--garment", "trousers", "--over", "tee:denim", "--out", str(out)]

@@ -33,7 +33,7 @@ def skirt(eva: Clone, path: Path | None, fabric: str = "cotton") -> Dressing:
     ring = body_ring(eva, "natural_waist")
     pattern = draft(BLOCKS["skirt"], ring.girth_m, 0.4)
     motion = own_motions(eva)[0]
-    return Dressing(eva, pattern, "natural_waist", FABRICS[fabric], motion, cycles=4, step_m=0.09, resumed=path)
+    return Dressing(eva, pattern, "natural_waist", FABRICS[fabric], motion, cycles=4, step_m=0.12, resumed=path)
 
 
 @pytest.mark.parametrize("elements", [False, True])
@@ -86,7 +86,8 @@ def test_the_command_keeps_frames_only_where_told_and_takes_them_away(
     eva: Clone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     save_clone(eva, tmp_path / "clone.npz")
-    monkeypatch.setattr(written, "STEP_M", 0.09)
+    monkeypatch.setattr(written, "STEP_M", 0.12)
+    monkeypatch.setattr(Dressing.__init__, "__kwdefaults__", Dressing.__init__.__kwdefaults__ | {"cycles": 4})
 
     def stop(step: str, fraction: float) -> None:
         if step == "cloth" and fraction > 0.3:
