@@ -131,12 +131,14 @@ def captured(body: Body, path: Path) -> Motion:
 
 
 def sitting(body: Body) -> Motion:
-    """Return somebody sitting upright on a bench, hands on the thighs; one frame that lasts a second."""
+    """Return somebody sitting upright on a bench, hands on the thighs; one frame that lasts a second.
+
+    Feet are as far apart as in standing: who sits down or gets up moves neither.
+    """
     still = np.tile(np.eye(3), (2, 1, 1))
     world = upright(body, still, turns.about(0, np.full(2, 0.06)))
     for side in SIDES:
-        sign = 1.0 if side == "l" else -1.0
-        aim_limb(body, world, side, "hip", turns.about(1, np.full(2, 0.12 * sign)) @ turns.about(0, np.full(2, -1.5)))
+        aim_limb(body, world, side, "hip", turns.about(0, np.full(2, -1.5)))
         aim_limb(body, world, side, "knee", still)
         for joint in ("ankle", "subtalar", "midtarsal", "metatarsal"):
             world[:, body.joint(f"{side}_{joint}")] = still

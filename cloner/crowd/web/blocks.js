@@ -92,13 +92,13 @@ function blockTexture(texture, alpha) {
   });
 }
 
-// Colours of impostors, atlases and hair in blocks where the card knows them; codes then lie in a texture of their own.
+// Atlases and hair in blocks where the card knows them; codes then lie in a texture of their own.
 function smaller(textures, context) {
   if (!context.getExtension("WEBGL_compressed_texture_s3tc")) return false;
   const { data, width, height, depth } = textures.atlases.image, codes = new Uint8Array(width * height * depth);
   for (let k = 0; k < codes.length; k++) codes[k] = data[4 * k + 3];
   // 1028: one value a texel
   textures.codes = arrayTexture(codes, width, height, depth, { format: 1028 });
-  for (const [name, alpha] of [["colours", true], ["shells", true], ["atlases", false]]) textures[name] = blockTexture(textures[name], alpha);
+  for (const [name, alpha] of [["shells", true], ["atlases", false]]) textures[name] = blockTexture(textures[name], alpha);
   return true;
 }

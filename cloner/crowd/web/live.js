@@ -36,8 +36,8 @@ function liveOf() {
     let slot = slots.indexOf(null);
     if (slot < 0) slot = slots.push(null) - 1;
     slots[slot] = told.key;
-    const clone = own + slot, [atlas, codes, shell] = pictures;
-    stage.people[clone] = { row: told.row, numbers, atlas, codes, shell };
+    const clone = own + slot;
+    stage.people[clone] = { row: told.row, numbers, ...looksOf(...pictures) };
     dressAgain();
     acted.dress(clone, numbers.touches, numbers.clips);
     const one = { who: -1, clone, slot, told: clock(), from: null, step: null };

@@ -9,7 +9,7 @@ const STATURE_M = 1.75, ARM_M = 0.45; // nobody walks nearer to anybody: taste
 
 const state = {
   scene: facts.scene, people: facts.people_count, now: 0, paused: false, debug: 0, mode: "hybrid", camera: "orbit",
-  stats: {}, still: 0, hour: DAY, blocks: false,
+  stats: {}, still: 0, hour: DAY, blocks: false, shown: null, whole: false, // whole: the impostors of all who are far are there
 };
 const canvas = document.querySelector("canvas");
 let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
@@ -73,6 +73,13 @@ async function start(context) {
   view("overview");
   say("");
   renderer.setAnimationLoop((time) => frame(time / 1000));
+  await new Promise((shown) => { state.shown = shown; });
+  document.body.dataset.shown = "yes";
+  for (const [name, texture] of Object.entries(await stage.far())) {
+    uniforms[name].value.dispose();
+    uniforms[name].value = state.blocks && name === "colours" ? blockTexture(texture, true) : texture;
+  }
+  state.whole = true;
   document.body.dataset.ready = "yes";
 }
 
@@ -284,6 +291,7 @@ function choose() {
     const dx = Math.max(x0 - eye.x, 0, eye.x - x1), dz = Math.max(z0 - eye.z, 0, eye.z - z1);
     const dy = Math.max(cells.low[c] - eye.y, 0, eye.y - cells.high[c] - 2);
     if (!live && dx * dx + dy * dy + dz * dz > far * far) {
+      if (!state.whole) continue;
       arrays[IMPOSTOR].set(pairs.subarray(2 * from, 2 * to), 2 * counts[IMPOSTOR]);
       arrays[shadows].set(pairs.subarray(2 * from, 2 * to), 2 * counts[shadows]);
       counts[IMPOSTOR] += to - from;
@@ -298,6 +306,7 @@ function choose() {
       for (let t = 0; t < LEVELS; t++)
         if (d < limits[t] * (1 + (tier[i] <= t ? HYSTERESIS : -HYSTERESIS))) { wanted = t; break; }
       if (wanted === IMPOSTOR && live && live.parts.has(i)) wanted = LEVELS - 1; // newcomers have no impostors
+      if (wanted === IMPOSTOR && !state.whole) { tier[i] = HIDDEN; continue; }
       if (tier[i] === HIDDEN) { tier[i] = before[i] = wanted; since[i] = -9; }
       if (wanted !== tier[i]) { before[i] = tier[i]; tier[i] = wanted; since[i] = now; }
       const fade = (now - since[i]) / FADE_S;
@@ -329,6 +338,7 @@ function frame(time) {
   steer(step);
   draw();
   frames++;
+  if (state.shown) state.shown = state.shown();
   if (time - shownAt > 0.5) {
     state.stats.fps = frames / (time - shownAt);
     shownAt = time;

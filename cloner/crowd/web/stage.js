@@ -72,29 +72,50 @@ function layered(lists, parts, wide, Type) {
   return [data, wide, rows, lists.length];
 }
 
-function filled(layers, put) {
-  const height = Math.max(...layers.map((one) => one.height)), width = layers[0].width;
-  const data = new Uint8Array(layers.length * height * width * 4);
-  layers.forEach((one, k) => put(one, data.subarray(k * height * width * 4)));
-  return [data, width, height, layers.length];
+// Pictures one behind another, each as {data, width, height}, shorter ones with zeros below.
+function piled(pictures) {
+  const height = Math.max(...pictures.map((one) => one.height)), width = pictures[0].width;
+  const data = new Uint8Array(pictures.length * height * width * 4);
+  pictures.forEach((one, k) => data.set(one.data, k * height * width * 4));
+  return [data, width, height, pictures.length];
 }
 
+const AT_ONCE = 4; // clones that are read at a time: pictures are decoded beside one another, few lie in memory
+
+async function readAll(rows, read) {
+  const found = new Array(rows.length);
+  let next = 0;
+  const some = async () => { while (next < rows.length) { const k = next++; found[k] = await read(rows[k], k); } };
+  await Promise.all(Array.from({ length: AT_ONCE }, some));
+  return found;
+}
+
+const picturesOf = (row, ...names) => Promise.all(names.map((name) => pixelsOf(`people/${row.id}/${name}.webp`)));
+
+// All that is seen from near; `far` reads the rest, and gives its textures.
 async function loadStage(facts, told) {
   const body = await arraysOf(bytesOf("body.bin"), facts.body_arrays);
-  const people = [];
-  for (const row of facts.people) {
-    const place = `people/${row.id}/`;
-    const numbers = await arraysOf(bytesOf(place + "numbers.bin"), row.arrays);
-    const [colours, shapes, covers, atlas, codes, shell] = await Promise.all(
-      ["colours", "shapes", "covers", "atlas", "codes", "shell"].map((name) => pixelsOf(`${place}${name}.webp`)));
-    const [stone, stoneShell] = facts.statues
-      ? await Promise.all(["stone", "stone_shell"].map((name) => pixelsOf(`${place}${name}.webp`))) : [];
-    const face = facts.faces ? (await arraysOf(bytesOf(place + "face.bin"), row.face)).moves : null;
-    people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell, stone, stoneShell, face });
-    told(people.length, facts.people.length);
+  let done = 0;
+  const people = await readAll(facts.people, async (row) => {
+    const numbers = await arraysOf(bytesOf(`people/${row.id}/numbers.bin`), row.arrays);
+    const face = facts.faces ? (await arraysOf(bytesOf(`people/${row.id}/face.bin`), row.face)).moves : null;
+    const looks = looksOf(...await picturesOf(row, "atlas", "codes", "shell"));
+    const [stone, stoneShell] = facts.statues ? await picturesOf(row, "stone", "stone_shell") : [];
+    told(++done, facts.people.length);
+    return { row, numbers, face, ...looks, stone, stoneShell };
+  });
+  const none = { width: 1, height: 1, data: new Uint8Array(4) }, textures = { ...bodyTextures(people), ...farTextures([none], [none]) };
+  for (const [name, key] of [["stones", "stone"], ["stoneShells", "stoneShell"]])
+    textures[name] = arrayTexture(...piled(people.map((one) => one[key] || none)), facts.statues ? MIPPED : {});
+  for (const one of people) {
+    one.stone = one.stoneShell = null;
+    if (!facts.live) one.numbers = one.atlas = one.shell = null; // nobody comes: all of it is in textures
   }
-  const textures = { ...bodyTextures(people), ...farTextures(people) };
-  return { body, people, textures };
+  const far = async () => {
+    const found = await readAll(facts.people, async (row) => farOf(...await picturesOf(row, "colours", "shapes", "covers")));
+    return farTextures(found.map((one) => one.colours), found.map((one) => one.shapes));
+  };
+  return { body, people, textures, far };
 }
 
 // Everybody's shape, motion and look: made anew when somebody comes or goes.
@@ -125,66 +146,46 @@ function bodyTextures(people) {
       { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" }),
     clones: flatTexture(table, columns, people.length, FLOATS),
     tiles: flatTexture(allTiles, tileWide, people.length, FLOATS),
-    atlases: arrayTexture(...filled(people.map((one) => one.atlas), () => 0), MIPPED),
-    shells: arrayTexture(...filled(people.map((one) => ({ width: one.shell.width, height: one.shell.height / 2 })),
-      () => 0), MIPPED),
+    atlases: arrayTexture(...piled(people.map((one) => one.atlas)), MIPPED),
+    shells: arrayTexture(...piled(people.map((one) => one.shell)), MIPPED),
   };
-  people.forEach((one, k) => fillLooks(one, k, textures));
   return textures;
 }
 
-// What is seen of those who are far, or of stone.
-function farTextures(people) {
-  const textures = {
-    colours: arrayTexture(...filled(people.map((one) => ({ width: one.colours.width, height: one.colours.height / 3 })),
-      () => 0), MIPPED),
-    shapes: arrayTexture(...filled(people.map((one) => ({ width: one.shapes.width, height: one.shapes.height / 3 })),
-      () => 0), SMOOTH),
-  };
-  people.forEach((one, k) => fillFar(one, k, textures));
-  for (const [name, key] of [["stones", "stone"], ["stoneShells", "stoneShell"]]) {
-    const put = (one, layer) => layer.set(one.data), none = { width: 1, height: 1, data: new Uint8Array(4) };
-    textures[name] = arrayTexture(...filled(people.map((one) => one[key] || none), put), facts.statues ? MIPPED : {});
-  }
-  return textures;
+// What is seen of those who are far.
+function farTextures(colours, shapes) {
+  return { colours: arrayTexture(...piled(colours), MIPPED), shapes: arrayTexture(...piled(shapes), SMOOTH) };
 }
 
-function layerOf(textures, name, k) {
-  const { data, width, height } = textures[name].image;
-  return data.subarray(k * width * height * 4, (k + 1) * width * height * 4);
+// Atlas with codes in alpha, and shell with the alpha that lies below it.
+function looksOf(atlas, codes, shell) {
+  for (let p = 3; p < atlas.data.length; p += 4) atlas.data[p] = codes.data[p - 3];
+  const half = shell.data.length / 2, data = shell.data.slice(0, half);
+  for (let p = 3; p < half; p += 4) data[p] = shell.data[half + p];
+  return { atlas, shell: { data, width: shell.width, height: shell.height / 2 } };
 }
 
-function fillLooks(one, k, textures) {
-  const atlas = layerOf(textures, "atlases", k), shell = layerOf(textures, "shells", k);
-  for (let p = 0; p < one.atlas.data.length; p += 4) {
-    atlas.set(one.atlas.data.subarray(p, p + 3), p);
-    atlas[p + 3] = one.codes.data[p];
-  }
-  const half = one.shell.data.length / 2;
-  for (let p = 0; p < half; p += 4) {
-    shell.set(one.shell.data.subarray(p, p + 3), p);
-    shell[p + 3] = one.shell.data[half + p];
-  }
-}
-
-function fillFar(one, k, textures) {
-  const colours = layerOf(textures, "colours", k), shapes = layerOf(textures, "shapes", k);
-  const below = one.colours.data.length / 3, parts = one.colours.data; // luma and two differences of colour
-  for (let p = 0; p < below; p += 4) {
+// Impostors' colours with coverage, and their normals and depths with codes.
+function farOf(colours, shapes, covers) {
+  const below = colours.data.length / 3, parts = colours.data, seen = new Uint8ClampedArray(below);
+  for (let p = 0; p < below; p += 4) { // luma and two differences of colour
     const y = parts[p], co = parts[below + p] - 128, cg = parts[2 * below + p] - 128;
-    colours[p] = Math.max(0, Math.min(255, y - cg + co));
-    colours[p + 1] = Math.max(0, Math.min(255, y + cg));
-    colours[p + 2] = Math.max(0, Math.min(255, y - cg - co));
-    colours[p + 3] = one.covers.data[p];
+    seen[p] = y - cg + co;
+    seen[p + 1] = y + cg;
+    seen[p + 2] = y - cg - co;
+    seen[p + 3] = covers.data[p];
   }
-  const { width, height } = one.shapes, rows = height / 3, plane = width * rows * 4;
-  const wide = one.covers.width * 4;
+  const { width } = shapes, rows = shapes.height / 3, plane = width * rows * 4, wide = covers.width * 4;
+  const shaped = new Uint8Array(plane);
   for (let y = 0; y < rows; y++)
     for (let x = 0; x < width; x++) {
       const p = (y * width + x) * 4;
-      for (let part = 0; part < 3; part++) shapes[p + part] = one.shapes.data[part * plane + p];
-      shapes[p + 3] = one.covers.data[below + y * wide + x * 4];
+      for (let part = 0; part < 3; part++) shaped[p + part] = shapes.data[part * plane + p];
+      shaped[p + 3] = covers.data[below + y * wide + x * 4];
     }
+  return {
+    colours: { data: seen, width: colours.width, height: colours.height / 3 }, shapes: { data: shaped, width, height: rows },
+  };
 }
 
 // Attributes and indices of a level, as cloner/crowd/clones/stock.py makes them.

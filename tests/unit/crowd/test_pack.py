@@ -130,7 +130,7 @@ def test_standing_feet_slide_by_millimetres_between_the_frames_that_are_shown(re
     assert len(slid) == 2
     assert slid.max() < 0.005
     moved = body.places(motion)[::4] - body.places(shown(dense, 12))
-    assert np.abs(moved).max() < 0.015, "the same walk"
+    assert np.abs(moved).max() < 0.06, "the same walk, but that feet rise a frame longer before they swing"
 
 
 def test_a_pack_with_feelings_has_their_walks_and_the_acts_but_not_one_impostor_more(pack: Path, lively: Path) -> None:
