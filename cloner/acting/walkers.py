@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clones.clips import WALK_FRAMES
-from cloner.crowd.staged.footing import BLEND_S, COLUMNS, LEFT, LIFT_PARTS, MIDDLE, RIGHT, parts_of, turned_by
+from cloner.crowd.staged.footing import BLEND_S, COLUMNS, FEELS, LEFT, LIFT_PARTS, MIDDLE, RIGHT, parts_of, turned_by
 from cloner.crowd.staged.scene import IDLE
 from cloner.records.arrays import Array
 
@@ -157,7 +157,8 @@ class Walker:
 
     def _stand(self, clip: int, seconds: float) -> None:
         """Stand and act for some time; the same goes on in the same footing."""
-        if self.rows and self.clip == clip and self.rows[-1][5] < 0.0:
+        feels = float(self.track.walks[self.track.row(self.now)])
+        if self.rows and self.clip == clip and self.rows[-1][5] < 0.0 and self.rows[-1][FEELS] == feels:
             self.rows[-1][1] = self.now = self.now + seconds
             return
         if self.rows and self.clip != clip:
@@ -169,7 +170,7 @@ class Walker:
         if not self.rows:
             first = self.phase
         self.rows.append([self.now, self.now + seconds, clip, blended, first, -1.0 - last, *before, x, z,
-                          self.heading, self.heading])  # fmt: skip
+                          self.heading, self.heading, feels])  # fmt: skip
         self.now, self.clip = self.now + seconds, clip
 
     def _body(self, clip: int) -> Array:
@@ -255,7 +256,7 @@ class Walker:
             self._idle = self._frame(IDLE)
         idle = self._idle if before < 0 else -1.0 - before
         row = [self.now, self.now + seconds, clip, idle, first, last, *shares, *self.at,
-               self.heading, self.heading + turn]  # fmt: skip
+               self.heading, self.heading + turn, self.track.walks[self.track.row(self.now)]]  # fmt: skip
         whole = np.array(row, np.float32)
         self.rows.append(row)
         self.at = parts_of(whole, self.touches, self.scale).places[-1]

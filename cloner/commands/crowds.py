@@ -31,7 +31,7 @@ def crowd(
     compressed: Annotated[bool, typer.Option("--compressed", help="A third of a card's memory, less fine.")] = False,
     mirror: Annotated[bool, typer.Option("--mirror", help="Impostors of one side where both look alike.")] = False,
     statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
-    speech: Annotated[bool, typer.Option("--speech", help="Faces that move, for films in which clones speak.")] = False,
+    faces: Annotated[bool, typer.Option("--faces", help="Faces that show feelings and can speak in films.")] = False,
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
     from cloner.crowd.packs.pack import make_pack
@@ -57,7 +57,7 @@ def crowd(
         compressed,
         mirror,
         carved,
-        speech,
+        faces,
     )
     make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
     typer.echo(str(out / "player.html"))

@@ -66,9 +66,7 @@ def _build(
 def _film(
     sequence: Annotated[Path, typer.Argument(metavar="FILM", help="Its lines, such as samples/awakening.film.")],
     room: Annotated[Path, typer.Option("--room", help="What scene light wrote.")],
-    pack: Annotated[
-        Path, typer.Option("--pack", help="What cloner crowd --feelings wrote, --statues or --speech too.")
-    ],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote, --statues or --faces too.")],
     out: Annotated[Path | None, typer.Option("--out", help="film.mp4, .webp or .gif, or a folder for PNGs.")] = None,
     page: Annotated[Path | None, typer.Option("--page", help="Folder of a pack whose page plays the film.")] = None,
 ) -> None:

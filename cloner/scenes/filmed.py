@@ -73,7 +73,7 @@ def film_file(
     built = room_in(room)
     parts = sounding(room_parts(built, *light_in(room), room.name), sound_in(room, built))
     if film.speeches and "faces" not in facts:
-        hint = "Make it with cloner crowd --speech"
+        hint = "Make it with cloner crowd --faces"
         raise ClonerError("nobody in the pack can speak", hint, "the film")
     said = voices_of(film, source.parent)
     acted, staging = acted_by(film, read_stock(pack, facts), facts["people"], progress)

@@ -107,11 +107,11 @@ def cast_of(
     atlas_px: int = ATLAS_PX,
     carved: Callable[[Clone], Clone] | None = None,
     flow: Flow | None = None,
-    speech: bool = False,
+    faces: bool = False,
 ) -> Cast:
     """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
 
-    With ``flow`` its shell of cloth moves as it was simulated, with ``speech`` its face can.
+    With ``flow`` its shell of cloth moves as it was simulated, with ``faces`` its face can.
 
     Raises
     ------
@@ -151,7 +151,7 @@ def cast_of(
         hung or _hung(shell, atlas, codes),
         smaller(statue.atlas.rgb, atlas_px) if statue else None,
         _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
-        face_moves(clone, body) if speech else None,
+        face_moves(clone, body) if faces else None,
     )
 
 

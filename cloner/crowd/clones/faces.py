@@ -1,8 +1,10 @@
-"""How faces of a crowd move when somebody speaks: a few of a clone's targets, over the wedges that they move."""
+"""How faces of a crowd move: targets of speech and four feelings, over the wedges that these move."""
 
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Final
 
 import numpy as np
@@ -11,6 +13,7 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.levels import BodyLevels
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
+from cloner.motion.face.expressions import EXPRESSIONS
 from cloner.motion.face.speech import VISEMES
 from cloner.records.clones import Clone
 
@@ -21,20 +24,26 @@ TARGETS: Final = (
 )  # fmt: skip
 #: Shaders read weights by fours: so many a face, the last ones of nothing.
 WEIGHTS: Final = 20
+#: What is seen on the face of who walks so (`cloner.motion.moves.styles`): expressions by strength; calm and regular
+#: faces stay as they were photographed. One target each, behind the others.
+FEELINGS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
+    "walk_sad": {"sadness": 1.0}, "walk_happy": {"joy": 0.7}, "walk_explosive": {"joy": 1.0, "surprise": 0.25},
+    "walk_afraid": {"fear": 1.0},
+})  # fmt: skip
 #: What a whole number stands for: the farthest target, a blink, moves by 16 mm, 16 bits reach 33.
 STEP_M: Final = 1e-6
 
 
 @functools.cache
 def _moving() -> NDArray[np.int64]:
-    """Return the generic human's vertices that any of `TARGETS` moves."""
+    """Return the generic human's vertices that speech or any feeling moves."""
     generic = load_generic()
     found = []
     for names, start, index in (
         (generic.arkit_names, generic.arkit_start, generic.arkit_index),
         (generic.viseme_names, generic.viseme_start, generic.viseme_index),
     ):
-        found += [index[start[k] : start[k + 1]] for k, name in enumerate(names) if name in TARGETS]
+        found += [index[start[k] : start[k + 1]] for k, name in enumerate(names) if name in {*TARGETS, *_shown()}]
     return np.unique(np.concatenate(found)).astype(np.int64)
 
 
@@ -51,11 +60,25 @@ def face_rows(body: BodyLevels) -> NDArray[np.uint16]:
 
 
 def face_moves(clone: Clone, body: BodyLevels) -> NDArray[np.int16]:
-    """Return (WEIGHTS, N, 3) how far each target moves the wedges of :func:`face_wedges`, in `STEP_M`."""
-    vertices = body.vertex[face_wedges(body)]
-    out = np.zeros((WEIGHTS, len(vertices), 3), np.int16)
+    """Return (WEIGHTS + feelings, N, 3) how far each target moves the wedges of :func:`face_wedges`, in `STEP_M`."""
+    vertices, shown = body.vertex[face_wedges(body)], _shown()
+    out = np.zeros((WEIGHTS + len(FEELINGS), len(vertices), 3))
     for name, offsets in target_offsets(clone):
         if name in TARGETS:
-            whole = np.round(offsets[vertices] / STEP_M)
-            out[TARGETS.index(name)] = np.clip(whole, -32767, 32767)
-    return out
+            out[TARGETS.index(name)] = offsets[vertices]
+        for feeling, share in enumerate(shown.get(name, ())):
+            out[WEIGHTS + feeling] += share * offsets[vertices]
+    return np.clip(np.round(out / STEP_M), -32767, 32767).astype(np.int16)
+
+
+@functools.cache
+def _shown() -> Mapping[str, tuple[float, ...]]:
+    """Return how strongly each feeling shows the targets that any of them has."""
+    names = {name for parts in FEELINGS.values() for part in parts for name in EXPRESSIONS[part]}
+    return {
+        name: tuple(
+            sum(share * EXPRESSIONS[part].get(name, 0.0) for part, share in parts.items())
+            for parts in FEELINGS.values()
+        )
+        for name in names
+    }

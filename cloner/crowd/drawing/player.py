@@ -33,7 +33,7 @@ _SCRIPTS: Final = (
     "daylight.js",
     "room.js",
     "staging.js",
-    "speech.js",
+    "faces.js",
     "sound.js",
     "live.js",
     "player.js",

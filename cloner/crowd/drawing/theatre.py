@@ -24,7 +24,7 @@ SUN: Final = (0.45, 0.75, 0.48)
 CAST_LEVEL: Final = 2
 _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
                  "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells", "faces",
-                 "faceRows")  # fmt: skip
+                 "faceRows", "feels")  # fmt: skip
 
 
 class Theatre:
@@ -59,8 +59,7 @@ class Theatre:
         self._array("corners", stock.stacked(corners)[..., None], "u2")
         joints = max(n.bones.shape[1] for n in held.numbers)  # who wears simulated cloth has more
         rows = [np.pad(n.bones, ((0, 0), (0, joints - n.bones.shape[1]), (0, 0), (0, 0))) for n in held.numbers]
-        bones = np.concatenate(rows)
-        self._flat("bones", bones.reshape(len(bones), -1, 4), "i2")
+        self._flat("bones", (bones := np.concatenate(rows)).reshape(len(bones), -1, 4), "i2")
         self._flat("clones", held.table, "f4")
         self._array("atlases", held.atlases, "f1", mips=4)
         self._array("shells", held.shells, "f1", mips=4)
@@ -68,8 +67,7 @@ class Theatre:
         self._array("stones", none if held.stones is None else held.stones, "f1", mips=4)
         self._array("stoneShells", none if held.stone_shells is None else held.stone_shells, "f1", mips=4)
         faces = np.zeros((1, 1, 1, 3), np.int16) if held.faces is None else held.faces
-        moves = np.stack([stock.face_texels(one) for one in faces])
-        self._array("faces", moves, "i2")
+        self._array("faces", moves := np.stack([stock.face_texels(one) for one in faces]), "i2")
         self._face_high = moves.shape[1] // faces.shape[1]
         self._flat("faceRows", stock.padded_rows(face_rows(held.body), wide)[..., None], "u2")
         self.send_tiles()
@@ -85,13 +83,15 @@ class Theatre:
 
     def send_people(self, people: NDArray[np.float32]) -> None:
         """Send (N, 5, 4) rows of people; see ``common.glsl``."""
-        rows = stock.padded_rows(people, 256)
-        self._flat("people", rows.reshape(len(rows), -1, 4), "f4")
+        self._flat("people", (rows := stock.padded_rows(people, 256)).reshape(len(rows), -1, 4), "f4")
 
     def send_glow(self, glow: NDArray[np.float32]) -> None:
         """Send (N, 4, 4) light of people; see ``shading.glsl``."""
-        rows = stock.padded_rows(glow, 256)
-        self._flat("glow", rows.reshape(len(rows), -1, 4), "f4")
+        self._flat("glow", (rows := stock.padded_rows(glow, 256)).reshape(len(rows), -1, 4), "f4")
+
+    def send_feels(self, feels: NDArray[np.float32]) -> None:
+        """Send (N, 2) feelings of people: which (0: none) and how strongly."""
+        self._flat("feels", stock.padded_rows(feels, 256), "f4")
 
     def send_room(self, looks: Pixels, light: Pixels, sun: Pixels) -> None:
         """Send a room's textures, one below another, its light map, (H, W, 3) each, and the sun's share (H, W)."""
@@ -169,7 +169,7 @@ class Theatre:
             "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
             "bakedFrom": stock.BAKED_FROM_M, "rim": 0, "now": 0.0, "coarse": 0, "laneLength": 100.0,
-            "speakers": 0, "faceHigh": self._face_high,
+            "faced": 0, "speakers": 0, "faceHigh": self._face_high,
             **UNROOMED,
         }  # fmt: skip
         for name, value in {**fixed, **values}.items():

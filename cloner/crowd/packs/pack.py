@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
-from cloner.crowd.clones.faces import STEP_M, TARGETS, face_rows
+from cloner.crowd.clones.faces import FEELINGS, STEP_M, TARGETS, face_rows
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
@@ -76,7 +76,7 @@ def make_pack(
     check_wanted(wanted)
     looks = read_looks(wanted.looks)
     casting_of([], looks)  # nobody waits for a bake to hear that a colour is none, or that the last clone is refused
-    found, body, generic, first_bone = find_people(results), body_levels(mouth=wanted.speech), "", 0
+    found, body, generic, first_bone = find_people(results), body_levels(mouth=wanted.faces), "", 0
     for one in found:
         _, generic = load_person(one, generic)
     files: dict[str, str] = {}
@@ -87,7 +87,7 @@ def make_pack(
             clone, _ = load_person(one, generic)
             cast = cast_of(
                 one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,
-                carved=wanted.carved, flow=load_flow(one.folder, clone), speech=wanted.speech,
+                carved=wanted.carved, flow=load_flow(one.folder, clone), faces=wanted.faces,
             )  # fmt: skip
             row, first_bone = _person(folder, cast, clone, body, wanted, first_bone, files)
             rows.append(row)
@@ -95,14 +95,14 @@ def make_pack(
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
             masks.append(lendable(cast))
         casting = casting_of(masks, looks)
-        arrays = body_arrays(body) | ({"face": face_rows(body)} if wanted.speech else {})
+        arrays = body_arrays(body) | ({"face": face_rows(body)} if wanted.faces else {})
         data, body_told = packed(arrays)
         _write(folder, BODY_FILE, data, files)
         facts = _facts(wanted, rows, body, casting, body_told, files)
         if wanted.compressed:
             facts["compressed"] = True
-        if wanted.speech:
-            facts["faces"] = {"targets": list(TARGETS), "step_m": STEP_M}
+        if wanted.faces:
+            facts["faces"] = {"targets": list(TARGETS), "feelings": list(FEELINGS), "step_m": STEP_M}
         if tones:
             facts["statues"] = {"colour": np.mean(tones, axis=0).round(4).tolist()}
         page = player_page(folder, facts)

@@ -16,10 +16,10 @@ from cloner.crowd.drawing.impostors import Bake, with_tiles
 from cloner.crowd.drawing.player import ACTED_FILE, FACE_FILE, SPOKEN_FILE, STONES
 from cloner.crowd.packs.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
 from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.staged.faces import Said, Spoken
 from cloner.crowd.staged.footing import Acted, fits
 from cloner.crowd.staged.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.staged.scene import Casting
-from cloner.crowd.staged.speech import Said, Spoken
 from cloner.errors import ClonerError, plain
 from cloner.outside import read_outside
 

@@ -17,10 +17,10 @@ from cloner.crowd.packs.held import filmed
 from cloner.crowd.packs.reading import casting_from, read_acted, read_facts, read_room, read_spoken, read_stock
 from cloner.crowd.staged.daylight import CAST_PX, DAY, Hour, room_values
 from cloner.crowd.staged.eye import Eye
-from cloner.crowd.staged.footing import GONE, Acted, rows_at
+from cloner.crowd.staged.faces import Spoken, faces_values
+from cloner.crowd.staged.footing import GONE, Acted, felt_at, rows_at
 from cloner.crowd.staged.rooms import LitRoom, glow_of
 from cloner.crowd.staged.scene import ACTED, SCENES, Scene, places, scene_of
-from cloner.crowd.staged.speech import Spoken, faces_values
 from cloner.crowd.staged.staging import UP, Staging, finished, staging_of
 from cloner.errors import ClonerError
 from cloner.project.atomic import appears
@@ -127,6 +127,9 @@ class Painter:
         self._theatre, self._facts, self._scene, self._size = theatre, facts, made, size_px
         if isinstance(made, Scene):
             theatre.send_people(made.rows)
+        feelings = facts["faces"]["feelings"] if "faces" in facts and isinstance(made, Acted) else []
+        names = [clip["name"] for clip in facts["people"][0]["clips"]]
+        self._feelings = np.array([feelings.index(one) + 1 if one in feelings else 0 for one in names]) * bool(feelings)
 
     def picture(
         self, view: tuple[Any, Any], now: float, mode: str = "hybrid", hour: Hour = DAY, field_deg: float = FIELD_DEG
@@ -148,6 +151,7 @@ class Painter:
             values["stoneColour"] = tuple(self._facts["statues"]["colour"])
         if self._room:
             values |= room_values(self._room.probes, self._room.facts, eye, hour)
+        values["faced"] = int(self._feelings.any())
         if self._spoken:
             values |= faces_values(*self._spoken.faces(now))
         chosen = self._tiers(eye, now, mode)
@@ -181,6 +185,10 @@ class Painter:
         else:
             rows = self._staging.rows(self._scene, now) if self._staging else rows_at(self._scene, now)
             self._theatre.send_people(rows)
+            if self._feelings.any():
+                felt = felt_at(self._scene, now)
+                felt[:, 0] = self._feelings[felt[:, 0].astype(int)]
+                self._theatre.send_feels(felt)
             if self._room:
                 self._theatre.send_glow(glow_of(self._room.probes, rows))
             where, here = np.column_stack([rows[:, 0, 1], rows[:, 4, UP], rows[:, 0, 2]]), rows[:, 0, 0] < GONE

@@ -7,10 +7,11 @@ from itertools import pairwise
 from pathlib import PurePosixPath
 from typing import Any, Final
 
-from cloner.crowd.clones.faces import STEP_M, TARGETS, WEIGHTS
+from cloner.crowd.clones.faces import FEELINGS, STEP_M, TARGETS, WEIGHTS
 from cloner.crowd.clones.stock import COLUMNS, MOST_CLIPS
+from cloner.crowd.staged.faces import MOST_SAID
+from cloner.crowd.staged.footing import COLUMNS as FOOTING
 from cloner.crowd.staged.scene import ACTED, SCENES
-from cloner.crowd.staged.speech import MOST_SAID
 
 Check = Callable[[Any], bool]
 
@@ -168,7 +169,8 @@ _ACTED: Final = {
     "acted": {
         "seconds": _number(0.05, 1e6),
         "arrays": {
-            "footings": _array("float32", 0, 12), "starts": _array("uint32", 0), "people": _array("float32", 0, 5, 4),
+            "footings": _array("float32", 0, FOOTING), "starts": _array("uint32", 0),
+            "people": _array("float32", 0, 5, 4),
             "touches": _array("float32", 0, 0, 48, 6), "clips": _array("float32", 0, 0, 2),
             "blocks": _array("float32", 0, 6),
         },
@@ -177,8 +179,11 @@ _ACTED: Final = {
 }  # fmt: skip
 #: For packs whose people can speak (:mod:`cloner.crowd.clones.faces`), and for films in which they do.
 _FACES: Final = {
-    "faces": {"targets": lambda value: value == list(TARGETS), "step_m": lambda value: value == STEP_M},
-    "people": _Rows({"face": {"moves": _array("int16", WEIGHTS, 0, 3)}}),
+    "faces": {
+        "targets": lambda value: value == list(TARGETS), "feelings": lambda value: value == list(FEELINGS),
+        "step_m": lambda value: value == STEP_M,
+    },
+    "people": _Rows({"face": {"moves": _array("int16", WEIGHTS + len(FEELINGS), 0, 3)}}),
 }  # fmt: skip
 _SPOKEN: Final = {
     "spoken": {

@@ -43,8 +43,8 @@ class Wanted:
         Those whose sides look alike get impostors of one side, mirrored for the other.
     carved : callable or None
         Makes a statue of a clone: everybody can be one then.
-    speech : bool
-        Faces can move: people may speak in films.
+    faces : bool
+        Faces can move: they show feelings, and people may speak in films.
     """
 
     people: int = 5000
@@ -60,7 +60,7 @@ class Wanted:
     compressed: bool = False
     mirror: bool = False
     carved: Callable[[Clone], Clone] | None = None
-    speech: bool = False
+    faces: bool = False
 
 
 def rings_of(text: str) -> tuple[float, ...]:

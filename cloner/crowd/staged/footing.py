@@ -31,9 +31,12 @@ from cloner.records.arrays import Array
 #: Columns of a footing: seconds from, until; clip; frame of the idle that it is blended with, or -1 less the walk that
 #: it goes over from; first and last frame; shares of the clip there (the rest is the idle); where the body is at first,
 #: metres; headings at first and last, radians. Who stands has instead, from the fourth on: clip blended from (-1:
-#: none); phase of the own at first; -1 less the frame blended from; x and z where the body was in that one.
-FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, X, Z, HEADING, HEADING_LAST = range(12)
-COLUMNS: Final = 12
+#: none); phase of the own at first; -1 less the frame blended from; x and z where the body was in that one. Last: as
+#: which walk one feels.
+FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, X, Z, HEADING, HEADING_LAST, FEELS = range(13)
+COLUMNS: Final = 13
+#: A face goes over from one feeling to another in this time, seconds; taste.
+FEELS_S: Final = 0.6
 #: Frames of a walk: the left foot carries from `LEFT` on, the right one from `RIGHT` on; each shares the ground
 #: with the other until `ALONE` frames later, and again from `SHARED` on. `MIDDLE` frames later it stands flat below.
 LEFT, RIGHT, ALONE, SHARED, MIDDLE = 3, 27, 2, 21, 11
@@ -103,7 +106,7 @@ def fits(acted: Acted, clips: Sequence[int]) -> bool:
         and (np.diff(starts) >= 0).all()
         and ((clones >= 0) & (clones < len(clips)) & (clones == np.floor(clones))).all()
         and (own[:, UNTIL] > own[:, FROM]).all()
-        and ((own[:, CLIP] >= 0) & (own[:, CLIP] < kinds)).all()
+        and ((own[:, [CLIP, FEELS]] >= 0) & (own[:, [CLIP, FEELS]] < kinds)).all()
         and (own[stands, OTHER] < kinds).all()
         and ((frames >= 1) & (frames < CLIP_STEP)).all()
         and (acted.clips[..., 1] > 0.0).all()
@@ -179,6 +182,20 @@ def rows_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
             continue
         _fill(rows[who], own[k].astype(np.float64), acted, now)
     return rows
+
+
+def felt_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
+    """Return (N, 2) as which walk each feels at a time, and how much of it the face shows, as ``footing.js`` does."""
+    felt = np.zeros((len(acted.people), 2), np.float32)
+    for who, now in enumerate(np.broadcast_to(times, len(felt)).tolist()):
+        own = acted.footings[acted.starts[who] : acted.starts[who + 1]]
+        k = int(np.searchsorted(own[:, FROM], now, side="right")) - 1
+        if k < 0:
+            continue
+        before, since = own[max(k - 1, 0), FEELS], (now - float(own[k, FROM])) / FEELS_S
+        share = abs(2.0 * min(since, 1.0) - 1.0) if before != own[k, FEELS] else 1.0
+        felt[who] = before if since < 0.5 else own[k, FEELS], share
+    return felt
 
 
 def _fill(row: NDArray[np.float32], footing: Array, acted: Acted, now: float) -> None:

@@ -1,8 +1,8 @@
 "use strict";
 // Who stands on what, when: the same as cloner/crowd/staged/footing.py, number for number.
 
-const [FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, AT_X, AT_Z, HEADING, HEADING_LAST] = [...Array(12).keys()];
-const FOOTING = 12, LEFT = 3, RIGHT = 27, ALONE = 2, SHARED = 21, LIFT_PARTS = 8, TURN_PARTS = 28, BLEND_S = 0.4;
+const [FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, AT_X, AT_Z, HEADING, HEADING_LAST, FEELS] = [...Array(13).keys()];
+const FOOTING = 13, FEELS_S = 0.6, LEFT = 3, RIGHT = 27, ALONE = 2, SHARED = 21, LIFT_PARTS = 8, TURN_PARTS = 28, BLEND_S = 0.4;
 const WALK_FRAMES = 48, TOUCH = 6, BY_FOOTINGS = 3, GONE = 4, CLIP_STEP = 1024, ACTED = "scenario";
 const PAST_S = 20; // footings over for so long are not kept
 
@@ -122,6 +122,13 @@ function actedOf(arrays, clones) {
     count, people, current,
     walks: (who) => ways[who][(current[who] - gone[who]) * FOOTING + LAST] >= 0,
     at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); },
+    // As which walk somebody feels now, and how much of it the face shows: `at` was asked for this time.
+    felt(who, now) {
+      const own = ways[who], k = current[who] - gone[who], at = k * FOOTING;
+      if (k < 0 || at >= own.length) return [0, 0];
+      const feels = own[at + FEELS], before = own[Math.max(k - 1, 0) * FOOTING + FEELS], since = (now - own[at + FROM]) / FEELS_S;
+      return [since < 0.5 ? before : feels, before === feels ? 1 : Math.abs(2 * Math.min(since, 1) - 1)];
+    },
     // A clone that was not there at first, as the next one or in another's stead.
     dress(clone, own_touches, own_clips) {
       if ((clone + 1) * own_touches.length > touches.length) touches = long(touches, (clone + 1) * own_touches.length);

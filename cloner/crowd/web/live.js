@@ -37,7 +37,7 @@ function liveOf() {
     if (slot < 0) slot = slots.push(null) - 1;
     slots[slot] = told.key;
     const clone = own + slot;
-    stage.people[clone] = { row: told.row, numbers, ...looksOf(...pictures) };
+    stage.people[clone] = { row: told.row, numbers, face: numbers.moves, ...looksOf(...pictures) };
     dressAgain();
     acted.dress(clone, numbers.touches, numbers.clips);
     const one = { who: -1, clone, slot, told: clock(), from: null, step: null };
@@ -78,7 +78,10 @@ function liveOf() {
   }
 
   function dressAgain() {
-    for (const [name, texture] of Object.entries(bodyTextures(stage.people))) {
+    const faces = facts.faces ? faceTextures(stage.body.face, stage.people.map((one) => one.face)) : {};
+    uniforms.faceHigh.value = faces.faceHigh || 1;
+    delete faces.faceHigh;
+    for (const [name, texture] of Object.entries({ ...bodyTextures(stage.people), ...faces })) {
       uniforms[name].value.dispose();
       uniforms[name].value = texture;
     }

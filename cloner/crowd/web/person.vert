@@ -29,6 +29,8 @@ flat out int wearer;  // who it is
 uniform highp isampler2DArray faces;  // a layer a clone: how each target moves a face's vertices, micrometres
 uniform highp usampler2D faceRows;    // where a vertex lies there, from 1; 0: no face moves it
 uniform int faceHigh;                 // rows of a target
+uniform sampler2D feels;              // of each person: which feeling its face shows, 0 none, and how strongly
+uniform int faced;                    // 1: faces show feelings
 uniform int speakers;                 // how many speak now
 uniform int speaks[8];                // who
 uniform vec4 mouths[40];              // the weights of the targets of each
@@ -38,6 +40,8 @@ flat out float stone;
 flat out float partial;
 #endif
 
+const int SPOKEN = 20;       // targets of speech; those of feelings follow
+const float SPEAKING = 0.5;  // taste
 const int HEAD_FIRST = 35, HEAD_LAST = 45;  // joints of the head and the upper neck
 const float HEAD_MIDDLE = 1.86;             // in halves of the stature
 
@@ -57,19 +61,24 @@ vec4 boneLine(ivec4 at, vec4 share, int row) {
 }
 
 #ifndef NO_ACTORS
-// How far the face of somebody who speaks moves a vertex, metres.
-vec3 spoken(int who, int clone, int v) {
+vec3 target(int t, int at, int clone) { return vec3(texelFetch(faces, ivec3(at & 127, t * faceHigh + (at >> 7), clone), 0).xyz); }
+
+// How far a face that speaks or feels moves a vertex, metres; who speaks has less of the feeling.
+vec3 moved(int who, int clone, int v) {
+  int at = int(texelFetch(faceRows, ivec2(v & 127, v >> 7), 0).r) - 1;
+  if (at < 0) return vec3(0.0);
+  vec3 sum = vec3(0.0);
+  vec2 felt = faced > 0 ? texelFetch(feels, ivec2(who & 255, who >> 8), 0).xy : vec2(0.0);
   for (int k = 0; k < speakers; k++) {
     if (speaks[k] != who) continue;
-    int at = int(texelFetch(faceRows, ivec2(v & 127, v >> 7), 0).r) - 1;
-    vec3 moved = vec3(0.0);
-    for (int t = 0; at >= 0 && t < 20; t++) {
+    felt.y *= SPEAKING;
+    for (int t = 0; t < SPOKEN; t++) {
       float share = mouths[5 * k + (t >> 2)][t & 3];
-      if (share > 0.0) moved += share * vec3(texelFetch(faces, ivec3(at & 127, t * faceHigh + (at >> 7), clone), 0).xyz);
+      if (share > 0.0) sum += share * target(t, at, clone);
     }
-    return 1e-6 * moved;
   }
-  return vec3(0.0);
+  if (felt.x > 0.5) sum += felt.y * target(SPOKEN + int(felt.x + 0.5) - 1, at, clone);
+  return 1e-6 * sum;
 }
 #endif
 
@@ -94,7 +103,7 @@ void main() {
   vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
   vec3 n = fromOctahedron(q.w);
 #ifndef NO_ACTORS
-  if (speakers > 0 && v < bodyVertices) rest.xyz += spoken(int(instance.x + 0.5), p.clone, v);
+  if (faced + speakers > 0 && v < bodyVertices) rest.xyz += moved(int(instance.x + 0.5), p.clone, v);
 #endif
   int row = int(cloneTexel(p.clone, CLIPS + p.clip).x + 0.5) + p.frame;
   ivec4 first = 3 * ivec4(j + 0.5);

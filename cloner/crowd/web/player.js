@@ -13,7 +13,7 @@ const state = {
 };
 const canvas = document.querySelector("canvas");
 let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
-let spoken = null, voices = {};
+let spoken = null, voices = {}, feelings = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -49,6 +49,7 @@ async function start(context) {
   if (facts.faces) {
     const made = faceTextures(stage.body.face, stage.people.map((one) => one.face));
     for (const [name, value] of Object.entries(made)) uniforms[name].value = value;
+    if (facts.acted) feelings = feelingsOf(facts.acted.people);
   }
   if (facts.spoken) {
     spoken = spokenOf(facts.spoken.said, (await arraysOf(bytesOf("spoken.bin"), facts.spoken.arrays)).weights);
@@ -160,6 +161,8 @@ function setScene(name, count) {
     passes.sky.visible = name === ACTED;
   }
   uniforms.speakers.value = 0;
+  uniforms.faced.value = feelings && name === ACTED ? 1 : 0;
+  if (feelings) uniforms.feels.value = feelings.texture;
   if (name === ACTED) act();
   place(0, made.count);
   bin();
@@ -177,6 +180,7 @@ function act() {
     state.hour = staging.hour(now);
   }
   if (spoken) spoken.move(uniforms, now);
+  if (feelings) feelings.feel(acted, now);
   if (live && live.own >= 0) walkers.rows[live.own * 4 * PERSON_TEXELS] = GONE; // nobody sees the own body
   walkers.data.set(walkers.rows);
   uniforms.people.value.needsUpdate = true;

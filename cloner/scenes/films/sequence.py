@@ -256,7 +256,7 @@ def _caption(words: Words, film: Sequence, when: float) -> None:
 
 def _deed(words: Words, film: Sequence, when: float) -> None:
     actors = _who(words, film)
-    deed = words.word("awakens", "hardens", "rises", "walks", "runs", "turns", "does", "gives", "says")
+    deed = words.word("awakens", "hardens", "rises", "walks", "runs", "turns", "does", "feels", "gives", "says")
     if deed in ("awakens", "hardens"):
         seconds = words.seconds("in", 3.0)
         film.keys.append(Key(when, "stone", (0.0 if deed == "awakens" else 1.0,), seconds, actors))
@@ -269,13 +269,12 @@ def _deed(words: Words, film: Sequence, when: float) -> None:
         film.orders.append(Order(when, actors, deed + (" by" if by else ""), to, word=feeling))
     elif deed == "turns":
         words.must("to")
-        if words.next_is("word"):
-            film.orders.append(Order(when, actors, "turns", who=_who(words, film)[0]))
-        else:
-            film.orders.append(Order(when, actors, "turns", words.place()))
+        who, to = (_who(words, film)[0], (0.0, 0.0)) if words.next_is("word") else (-1, words.place())
+        film.orders.append(Order(when, actors, deed, to, who))
     elif deed == "does":
-        word = words.word(*ACTS)
-        film.orders.append(Order(when, actors, "does", word=word, seconds=words.seconds("for")))
+        film.orders.append(Order(when, actors, deed, word=words.word(*ACTS), seconds=words.seconds("for")))
+    elif deed == "feels":
+        film.orders.append(Order(when, actors, deed, word=words.word(*FEELINGS)))
     elif deed == "says":
         name = words.take("text", 'a file\'s name in quotes, such as "hello.wav"').strip('"')
         if not _SOUND.fullmatch(name):

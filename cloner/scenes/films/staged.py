@@ -118,6 +118,8 @@ def _track(film: Film, who: int, actor: Actor, names: Sequence[str], speeds: Arr
             order = orders.pop(0)
             if order.kind == "does":
                 act, until = _clip(names, order.word, IDLE), now + order.seconds
+            elif order.kind == "feels":
+                walk = _clip(names, f"walk_{order.word}", WALK)
             elif order.kind == "turns":
                 faces = order.who
                 if faces < 0:
@@ -263,7 +265,7 @@ def with_statues(
         row[0, 1], row[0, 2, :3], row[0, 3] = (0.0, 0.37, clone, 1.0), clone, -1.0
         rows.append(row)
         footings.append(
-            np.array([[0.0, seconds + 1.0, IDLE, -1.0, 0.37, -1.0, x, z, x, z, heading, heading]], np.float32)
+            np.array([[0.0, seconds + 1.0, IDLE, -1.0, 0.37, -1.0, x, z, x, z, heading, heading, WALK]], np.float32)
         )
         starts.append(starts[-1] + 1)
         told["stone"].append([who, [[0.0, 1.0], [told_s, 1.0], [told_s + AWAKENS_S, 0.0]]])

@@ -17,8 +17,8 @@ from cloner.acting.written import SpokenParts
 from cloner.crowd.clones.faces import TARGETS, WEIGHTS
 from cloner.crowd.drawing.player import SPOKEN_FILE
 from cloner.crowd.packs.files import packed
-from cloner.crowd.staged.speech import MOST_AT_ONCE, MOST_SAID, Said
-from cloner.crowd.staged.speech import RATE_HZ as FACES_HZ
+from cloner.crowd.staged.faces import MOST_AT_ONCE, MOST_SAID, Said
+from cloner.crowd.staged.faces import RATE_HZ as FACES_HZ
 from cloner.errors import ClonerError
 from cloner.motion.face.talk import Speech, face_weights, speech_in
 from cloner.records.arrays import Array

@@ -55,7 +55,7 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
     names = tuple(str(one["name"]) for one in own["clips"])
     cast = cast_of(
         "newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2,
-        flow=load_flow(found.folder, clone),
+        flow=load_flow(found.folder, clone), faces="faces" in facts,
     )  # fmt: skip
     if tuple(one.name for one in cast.clips) != names:
         hint = "Make the pack again with cloner crowd --feelings, without --walk, and the scene of it"
@@ -70,6 +70,8 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
         "table": stock.table_row(cast, stock.no_sets(cast), texels, int(own["views"]), 0),
         "tiles": np.zeros((2, 4), np.float32), "touches": touches, "clips": lengths,
     }  # fmt: skip
+    if cast.face is not None:
+        arrays["moves"] = cast.face
     data, told = packed(arrays)
     files = {
         "numbers.bin": data, "atlas.webp": webp(cast.atlas, ATLAS_QUALITY), "codes.webp": webp(cast.marks, None),

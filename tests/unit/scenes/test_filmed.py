@@ -18,6 +18,7 @@ from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
 from cloner.crowd.packs.still import Painter
+from cloner.crowd.staged.footing import felt_at
 from cloner.crowd.staged.staging import staging_of
 from cloner.errors import Cancelled, ClonerError
 from cloner.scenes.filmed import film_file
@@ -47,7 +48,7 @@ at 2.5 s: caption "So" for 1 s
 def cast(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two people of paint, in stone too, who can speak."""
     out = tmp_path_factory.mktemp("cast") / "pack"
-    wanted = replace(WANTED, vat=False, feelings=True, carved=partial(statue_of, material="stone"), speech=True)
+    wanted = replace(WANTED, vat=False, feelings=True, carved=partial(statue_of, material="stone"), faces=True)
     make_pack([two_results(tmp_path_factory.mktemp("results"))], out, wanted)
     return out
 
@@ -218,11 +219,12 @@ def test_statues_of_a_scenario_are_clones_in_stone_that_awake(cast: Path, tmp_pa
     assert after[4, 1:3] == pytest.approx([0.0, 0.5])
 
 
-SPOKEN = """film "Talk" for 1.2 s, 320 x 240, 10 frames a second
+SPOKEN = """film "Talk" for 2.4 s, 320 x 240, 10 frames a second
 actor ada is ada at 4, 3 facing 180
 actor ben is ben at 5, 3 facing 180
 at 0 s: camera at 4, 2.2, 1.6 looks at ada, lens 14
 at .4 s: ada says "aa.txt"
+at 1.2 s: ada feels happy
 """
 
 
@@ -248,8 +250,27 @@ def test_a_mouth_opens_while_somebody_speaks(talked: tuple[Path, Path]) -> None:
     assert check_pack(talked[1])
 
 
+def test_who_is_happy_smiles(talked: tuple[Path, Path]) -> None:
+    facts = read_facts(talked[1])
+    felt = felt_at(read_acted(talked[1], facts), 2.3)
+    names = [clip["name"] for clip in facts["people"][0]["clips"]]
+    assert [names[int(clip)] for clip, _ in felt] == ["walk_happy", "walk"]
+    theatre = Theatre(read_stock(talked[1], facts))
+    view, shown = ((4.0, 1.6, -2.2), (4.0, 1.58, -3.0)), []
+    try:
+        painter = painter_of(talked[1], theatre)
+        for _ in range(2):
+            shown.append(painter.picture(view, 2.3, field_deg=14.0).astype(int))
+            painter._feelings[:] = 0
+    finally:
+        theatre.close()
+    at = np.argwhere(np.abs(shown[0] - shown[1]).max(axis=2) > 25)
+    assert len(at) > 60
+    assert at[:, 0].mean() > 120, "the mouth, in the lower half of the face"
+
+
 def test_who_cannot_speak_is_told(talked: tuple[Path, Path], lively: Path, lit_folder: Path, tmp_path: Path) -> None:
-    with pytest.raises(ClonerError, match=r"nobody in the pack can speak\. Make it with cloner crowd --speech"):
+    with pytest.raises(ClonerError, match=r"nobody in the pack can speak\. Make it with cloner crowd --faces"):
         film_file(talked[0].parent / "talk.film", lit_folder, lively, tmp_path / "x", None)
 
 

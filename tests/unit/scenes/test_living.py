@@ -16,7 +16,7 @@ from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide
 from cloner.behaviour.world import world_of
 from cloner.crowd.packs.reading import read_acted, read_facts
-from cloner.crowd.staged.footing import FROM, GONE, UNTIL, Acted, rows_at
+from cloner.crowd.staged.footing import COLUMNS, FROM, GONE, UNTIL, Acted, rows_at
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
@@ -41,7 +41,7 @@ def minds_in(built: Path) -> Minds:
 
 def walked(minds: Minds, times: np.ndarray) -> list[np.ndarray]:
     """Everybody's footings as a page gathers them."""
-    ways = [np.zeros((0, 12), np.float32) for _ in minds.walkers]
+    ways = [np.zeros((0, COLUMNS), np.float32) for _ in minds.walkers]
     for now in times:
         for who, rows in minds.go_on(float(now)).items():
             ways[who] = np.concatenate([ways[who][ways[who][:, FROM] < rows[0, FROM]], rows])
@@ -67,7 +67,7 @@ def test_who_walks_along_in_a_page_is_there_on_feet_and_gone_when_the_page_falls
     scene, _ = shown(built, hot)
     scene._scenario = read_text(SCENARIO.replace("group watchers: 2 people, visits b, starts at b", GUESTS))
     scene._begin()
-    told, way = scene.told(0.01), np.zeros((0, 12), np.float32)
+    told, way = scene.told(0.01), np.zeros((0, COLUMNS), np.float32)
     assert 3 not in dict(next(told)[1]["of"])
     assert scene.walks("one", (4.0, -4.0, 0.0)) == 3
     assert scene.walks("two", (5.0, -4.0, 0.0)) == 4

@@ -39,13 +39,14 @@ def test_what_happens_is_kept_with_its_time() -> None:
         BEGIN
         + "at 1 s: first awakens in 4 s\nat 2.5 s: army walks by 0, -3 happy\nat 3 s: first turns to second\n"
         + 'at 4 s: light .1, .2, .3 in 2 s\nat 5 s: caption "Who am I?" for 2 s\n'
-        + 'at 6 s: first gives second the head in 3 s\nat 7 s: army says "all of us.fr.txt"\n',
+        + 'at 6 s: first gives second the head in 3 s\nat 7 s: army says "all of us.fr.txt"\nat 8 s: first feels sad\n',
         "a.film",
     )  # fmt: skip
     assert Key(1.0, "stone", (0.0,), 4.0, (0,)) in film.keys
     assert Key(4.0, "light", (0.1, 0.2, 0.3), 2.0) in film.keys
     assert film.orders == [
         Order(2.5, (2, 3, 4, 5, 6, 7), "walks by", (0.0, -3.0), word="happy"), Order(3.0, (0,), "turns", who=1),
+        Order(8.0, (0,), "feels", word="sad"),
     ]  # fmt: skip
     assert film.captions == [(5.0, 7.0, "Who am I?")]
     assert film.heads == [(6.0, 0, 1, 3.0)]

@@ -1,4 +1,4 @@
-"""What is said in films: by which files, heard from where, and kept in which bytes."""
+"""What is said in films: by which files, heard from where, kept in which bytes; and how feelings come and go."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ import pytest
 from scipy.io import wavfile
 
 from cloner.crowd.clones.faces import TARGETS
-from cloner.crowd.staged.speech import MOST_AT_ONCE, Said, Spoken
+from cloner.crowd.staged.faces import MOST_AT_ONCE, Said, Spoken
+from cloner.crowd.staged.footing import COLUMNS, FEELS, FROM, LAST, UNTIL, Acted, felt_at
 from cloner.errors import ClonerError
 from cloner.scenes.films.sequence import sequence_of
 from cloner.scenes.films.voices import RATE_HZ, Voices, heard, voices_of
@@ -109,3 +110,16 @@ def test_a_film_keeps_its_sound_sample_for_sample(tmp_path: Path) -> None:
     assert count == 3
     assert np.array_equal(np.frombuffer(kept, "<i2").reshape(-1, 2), np.rint(sound * 32767.0))
     assert data.endswith(b"told")
+
+
+def test_a_face_goes_over_from_one_feeling_to_another() -> None:
+    footings = np.zeros((2, COLUMNS), np.float32)
+    footings[:, [FROM, UNTIL, LAST, FEELS]] = [[0.0, 2.0, -1.0, 3.0], [2.0, 4.0, -1.0, 5.0]]
+    acted = Acted(
+        footings, np.array([0, 2], np.uint32), np.zeros((1, 5, 4), np.float32),
+        np.zeros((1, 6, 48, 6), np.float32), np.ones((1, 6, 2), np.float32),
+    )  # fmt: skip
+    found = {now: felt_at(acted, now)[0].tolist() for now in (0.1, 1.9, 2.0, 2.15, 2.29, 2.31, 2.45, 2.6, 3.9)}
+    assert [clip for clip, _ in found.values()] == [3, 3, 3, 3, 3, 5, 5, 5, 5]
+    shares = [share for _, share in found.values()]
+    assert shares == pytest.approx([1.0, 1.0, 1.0, 0.5, 0.1 / 3.0, 0.1 / 3.0, 0.5, 1.0, 1.0], abs=1e-5)

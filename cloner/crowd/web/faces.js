@@ -1,5 +1,5 @@
 "use strict";
-// Who speaks in a film, and how the face moves then: the same rules as cloner/crowd/staged/speech.py.
+// Who speaks in a film, who feels what, and how faces move then: the same rules as cloner/crowd/staged/faces.py.
 
 const SPOKEN_HZ = 30, MOST_AT_ONCE = 8, FACE_WEIGHTS = 20;
 const MOVES = { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" };
@@ -10,6 +10,7 @@ function faceUniforms() {
   return {
     faces: { value: arrayTexture(new Int16Array(4), 1, 1, 1, MOVES) },
     faceRows: { value: flatTexture(new Uint16Array(1), 1, 1, ROWS) }, faceHigh: { value: 1 },
+    feels: { value: flatTexture(new Float32Array(4), 1, 1, FLOATS) }, faced: { value: 0 },
     speakers: { value: 0 }, speaks: { value: new Array(MOST_AT_ONCE).fill(-1) },
     mouths: { value: new Float32Array(MOST_AT_ONCE * FACE_WEIGHTS) },
   };
@@ -17,18 +18,36 @@ function faceUniforms() {
 
 // `rows` tells where each of the body's vertices lies in a face; `moves` are each clone's, one target after another.
 function faceTextures(rows, moves) {
-  const count = moves[0].length / 3 / FACE_WEIGHTS, high = Math.ceil(count / WIDE);
-  const data = new Int16Array(moves.length * FACE_WEIGHTS * high * WIDE * 4);
+  const targets = FACE_WEIGHTS + facts.faces.feelings.length, count = moves[0].length / 3 / targets, high = Math.ceil(count / WIDE);
+  const data = new Int16Array(moves.length * targets * high * WIDE * 4);
   moves.forEach((own, clone) => {
-    for (let t = 0; t < FACE_WEIGHTS; t++)
+    for (let t = 0; t < targets; t++)
       for (let k = 0; k < count; k++)
-        data.set(own.subarray((t * count + k) * 3, (t * count + k + 1) * 3), ((clone * FACE_WEIGHTS + t) * high * WIDE + k) * 4);
+        for (let axis = 0, to = ((clone * targets + t) * high * WIDE + k) * 4; axis < 3; axis++) data[to + axis] = own[(t * count + k) * 3 + axis];
   });
   const tall = Math.ceil(rows.length / WIDE), padded = new Uint16Array(tall * WIDE);
   padded.set(rows);
   return {
-    faces: arrayTexture(data, WIDE, FACE_WEIGHTS * high, moves.length, MOVES),
+    faces: arrayTexture(data, WIDE, targets * high, moves.length, MOVES),
     faceRows: flatTexture(padded, WIDE, tall, ROWS), faceHigh: high,
+  };
+}
+
+// What faces of those who act show: a texture of which feeling, from 1, and how much of it.
+function feelingsOf(count) {
+  const { feelings } = facts.faces, names = facts.people[0].clips.map((one) => one.name);
+  const shown = names.map((name) => feelings.indexOf(name) + 1), rows = Math.ceil(count / ROW), data = new Float32Array(rows * ROW * 4);
+  const texture = flatTexture(data, ROW, rows, FLOATS);
+  return {
+    texture,
+    feel(acted, now) {
+      for (let who = 0; who < count; who++) {
+        const [clip, share] = acted.felt(who, now);
+        data[4 * who] = shown[clip];
+        data[4 * who + 1] = share;
+      }
+      texture.needsUpdate = true;
+    },
   };
 }
 

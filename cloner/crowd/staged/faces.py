@@ -1,4 +1,4 @@
-"""Who speaks in a film, and how the face moves then; ``speech.js`` plays the same."""
+"""Who speaks in a film, and how the face moves then; ``faces.js`` plays the same."""
 
 from __future__ import annotations
 
