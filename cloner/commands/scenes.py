@@ -86,9 +86,26 @@ def _serve(
         str, typer.Option("--host", help="This machine's address in a network whose machines may show it too.")
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option("--port", help="Any free one by default.")] = 0,
+    lent: Annotated[bool, typer.Option("--lent", help="Other booths may lend their visitors' clones.")] = False,
 ) -> None:
     """Show a built scene in a browser of this machine; finished clones come into it. Ctrl+C ends it."""
     from cloner.booth.inhabiting import finished_clones, number_asked
+    from cloner.scenes.served.lending import lent_to
     from cloner.scenes.served.serving import serve_folder
 
-    serve_folder(built, finished_clones(clones), number_asked(clones), host=host, port=port, said=at_once)
+    opens, way = number_asked(clones), lent_to if lent else None
+    serve_folder(built, finished_clones(clones), opens, host=host, port=port, lent=way, said=at_once)
+
+
+@scenes.command("lend")
+def _lend(
+    address: Annotated[
+        str, typer.Argument(metavar="ADDRESS", help="What scene serve --lent printed at another booth.")
+    ],
+    clones: Annotated[Path, typer.Option("--clones", help="An event's folder, or a folder of results.")],
+) -> None:
+    """Lend this booth's clones to another booth's scene for as long as this runs. Ctrl+C ends it."""
+    from cloner.booth.inhabiting import finished_clones
+    from cloner.scenes.served.lending import lend_folder
+
+    lend_folder(address, finished_clones(clones), at_once)

@@ -60,6 +60,13 @@ def why_unfit(facts: Any) -> str:
     return ""
 
 
+def why_unfit_newcomer(row: Any, *, faces: bool) -> str:
+    """Return the first thing that is wrong in what is said of a clone from elsewhere; "" where all is well."""
+    arrays = {**_ARRAYS, **_FEET, **({"moves": _MOVES} if faces else {})}
+    wrong = _unfit(row, {"arrays": arrays, "stature_m": _number(0.3, 3.0)}, "")
+    return wrong or ("" if set(row) == {"arrays", "stature_m"} and set(row["arrays"]) == set(arrays) else "arrays")
+
+
 def _text(value: Any) -> bool:
     return isinstance(value, str) and len(value) <= LONGEST_TEXT
 
@@ -143,6 +150,9 @@ _ARRAYS: Final = {
     "vertices": _array("uint16", 0, 4), "loose": _array("uint16", 0, 4), "corners": _array("uint16", 0),
     "bones": _array("int16", 0, 0, 3, 4), "table": _array("float32", COLUMNS, 4), "tiles": _array("float32", 0, 4),
 }  # fmt: skip
+#: And what a newcomer has besides.
+_FEET: Final = {"touches": _array("float32", 0, 48, 6), "clips": _array("float32", 0, 2)}
+_MOVES: Final = _array("int16", WEIGHTS + len(FEELINGS), 0, 3)
 _CLIP: Final = {
     "name": _text, "seconds": _number(0.05, 1e4), "speed_m_s": _number(0.0, 100.0), "frames": _whole(1, 1023),
 }  # fmt: skip
@@ -183,7 +193,7 @@ _FACES: Final = {
         "targets": lambda value: value == list(TARGETS), "feelings": lambda value: value == list(FEELINGS),
         "step_m": lambda value: value == STEP_M,
     },
-    "people": _Rows({"face": {"moves": _array("int16", WEIGHTS + len(FEELINGS), 0, 3)}}),
+    "people": _Rows({"face": {"moves": _MOVES}}),
 }  # fmt: skip
 _SPOKEN: Final = {
     "spoken": {

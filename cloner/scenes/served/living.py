@@ -7,13 +7,11 @@ with it.
 
 from __future__ import annotations
 
-import base64
-import json
 import secrets
 import threading
 import time
 from collections import OrderedDict, deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -27,7 +25,6 @@ from cloner.behaviour.world import world_of
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.people import Found
 from cloner.crowd.drawing.player import player_page
-from cloner.crowd.packs.files import MARK
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import FROM, UNTIL
 from cloner.errors import ClonerError
@@ -35,6 +32,7 @@ from cloner.project.folder import safe_identifier
 from cloner.scenes.served.guests import Guests, Place
 from cloner.scenes.served.minds import Look, Minds, minds_of
 from cloner.scenes.served.newcomers import Newcomer, made_at, newcomer_of
+from cloner.scenes.served.telling import described, steps_of
 
 #: So many newcomers are there at once; the one who came first makes place. Each is 3 MB of a page's textures; taste.
 MOST: Final = 12
@@ -75,6 +73,11 @@ class Living:
     said : callable
         Gets a line for whoever runs the scene.
 
+    Attributes
+    ----------
+    facts, body
+        The pack's.
+
     Raises
     ------
     ClonerError
@@ -84,9 +87,9 @@ class Living:
     def __init__(self, pack: Path, clones: Callable[[], tuple[Path, ...]], said: Callable[[str], None]) -> None:
         self.pack, self.over = pack, ""
         self._clones, self._said = clones, said
-        self._facts = read_facts(pack)
-        self._acted = read_acted(pack, self._facts)
-        self._body = body_levels(mouth="faces" in self._facts)
+        self.facts = read_facts(pack)
+        self._acted = read_acted(pack, self.facts)
+        self.body = body_levels(mouth="faces" in self.facts)
         self._there: OrderedDict[str, _There] = OrderedDict()
         self._keys: dict[Mark, str] = {}
         self._old = frozenset(self._marks())
@@ -95,7 +98,7 @@ class Living:
         self._minding = threading.RLock()  # whoever touches minds; first, where both are taken
         self._turn = threading.Condition()  # whoever touches what pages are told: nobody thinks meanwhile
         try:
-            told = self._facts["scenario"]
+            told = self.facts["scenario"]
             self._scenario, self._seed = read_text(str(told["text"]), "the scene's scenario"), int(told["seed"])
         except (LookupError, TypeError, ValueError) as error:
             hint = "Build it from a scenario's text: cloner scene build --walk SCENARIO"
@@ -108,7 +111,7 @@ class Living:
 
     def page(self) -> bytes:
         """Return the page that shows the scene and asks this server what happens."""
-        return player_page(self.pack, self._facts | {"live": True})
+        return player_page(self.pack, self.facts | {"live": True})
 
     def file(self, key: str, name: str) -> bytes | None:
         """Return a newcomer's file, None for anything else."""
@@ -123,7 +126,7 @@ class Living:
         world = world_of(self._scenario, self._seed)
         if len(world.people.home) > len(self._acted.people):
             raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", self.pack.name)
-        self._minds: Minds = minds_of(world, self._acted, self._facts["people"][0]["clips"])
+        self._minds: Minds = minds_of(world, self._acted, self.facts["people"][0]["clips"])
         self._guests, self._heard, self._seed = Guests(), 0, self._seed + 1
         new = self._minds.go_on(0.0)
         with self._turn:
@@ -155,7 +158,7 @@ class Living:
                 kept = self._ways.get(who, rows[:0])
                 kept = kept[(kept[:, UNTIL] > self._shown_s - PAST_S) & (kept[:, FROM] < rows[0, FROM])]
                 self._ways[who] = np.concatenate([kept, rows])
-            self._tell("steps", {"now": self.now(), **_steps(new)})
+            self._tell("steps", {"now": self.now(), **steps_of(new)})
             for when, text in self._minds.world.told[self._heard :]:
                 if text.endswith(AWAKENS):
                     self._awake.append((text.removesuffix(AWAKENS), when))
@@ -221,7 +224,7 @@ class Living:
 
     def _hello(self) -> dict[str, Any]:
         there = [{**one.told, "who": one.who, "at": one.at_s, "fresh": False} for one in self._there.values()]
-        return {"now": self.now(), **_steps(self._ways), "newcomers": there, "awake": self._awake}
+        return {"now": self.now(), **steps_of(self._ways), "newcomers": there, "awake": self._awake}
 
     def _tell(self, kind: str, what: dict[str, Any]) -> None:
         self._events.append((kind, what))
@@ -238,13 +241,13 @@ class Living:
         ClonerError
             If the pack was taken away, as when somebody in it is forgotten, or made anew; all pages are told.
         """
-        if _described(self.pack) != self._facts["player"]:
+        if described(self.pack) != self.facts["player"]:
             self.stop("The scene was taken away or made anew.")
             hint = "Build it again without whom it may not show, and serve it again"
             raise ClonerError("the scene was taken away or made anew", hint, self.pack.name)
         wanted = self._marks()
         for mark in [one for one in self._keys if one not in wanted]:
-            self._leave(self._keys.pop(mark))
+            self.leave(self._keys.pop(mark))
         for mark in wanted:
             if mark not in self._keys:
                 self._come(mark)
@@ -259,23 +262,28 @@ class Living:
         name = safe_identifier(mark[0].resolve().name)
         self._keys[mark] = ""
         try:
-            newcomer = newcomer_of(Found(name, mark[0]), self._facts, self._body)
+            newcomer = newcomer_of(Found(name, mark[0]), self.facts, self.body)
             if made_at(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
                 self._keys.pop(mark)
                 return
-            with self._minding, self._turn:
-                key = secrets.token_urlsafe(12)
-                one = _There({"key": key, "row": dict(newcomer.row)}, newcomer, -1, 0.0)
-                self._cast(one)
-                self._there[key] = one
-                self._keys[mark] = key
-                self._tell("come", {**one.told, "who": one.who, "at": one.at_s, "fresh": mark not in self._old})
+            self._keys[mark] = self.enter(newcomer, fresh=mark not in self._old)
         except ClonerError as error:
             self._said(f"not shown: {error}")
             return
         self._said(f"{name} is in the scene")
 
-    def _leave(self, key: str) -> None:
+    def enter(self, newcomer: Newcomer, *, fresh: bool) -> str:
+        """Give a newcomer a part; return the key by which it leaves. ``fresh``: pages find and follow it."""
+        key = secrets.token_urlsafe(12)
+        one = _There({"key": key, "row": dict(newcomer.row)}, newcomer, -1, 0.0)
+        with self._minding, self._turn:
+            self._cast(one)
+            self._there[key] = one
+            self._tell("come", {**one.told, "who": one.who, "at": one.at_s, "fresh": fresh})
+        return key
+
+    def leave(self, key: str) -> None:
+        """Let a newcomer be gone."""
         with self._minding, self._turn:
             one = self._there.pop(key, None)
             if one is None:
@@ -283,17 +291,3 @@ class Living:
             self._minds.dress(one.who, None)
             self._tell("gone", {"key": key})
         self._said("somebody has left the scene")
-
-
-def _steps(ways: Mapping[int, NDArray[np.float32]]) -> dict[str, Any]:
-    """Return people's footings as pages read them: who has how many, and all of them in line."""
-    data = b"".join(rows.astype("<f4").tobytes() for rows in ways.values())
-    return {"of": [[who, len(rows)] for who, rows in ways.items()], "data": base64.b64encode(data).decode("ascii")}
-
-
-def _described(pack: Path) -> Any:
-    """Return what a pack says of its page now, None where there is no pack any more."""
-    try:
-        return json.loads((pack / MARK).read_bytes())["player"]
-    except (OSError, ValueError, LookupError, TypeError):
-        return None

@@ -15,7 +15,7 @@ import secrets
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, Final
@@ -45,7 +45,8 @@ _KINDS: Final = {".webp": "image/webp", ".bin": "application/octet-stream"}
 
 def serve_folder(
     pack: Path, clones: Path | Callable[[], tuple[Path, ...]], opens: Callable[[str], bool] | None = None, *,
-    host: str = HOST, port: int = 0, said: Callable[[str], None],
+    host: str = HOST, port: int = 0, lent: Callable[[Living, str], AbstractContextManager[str]] | None = None,
+    said: Callable[[str], None],
 ) -> None:  # fmt: skip
     """Show a built scene that goes on and into which finished clones come, until it is interrupted.
 
@@ -61,6 +62,8 @@ def serve_folder(
         This machine's own address in a network whose machines may show the scene too; loopback lets nobody else in.
     port : int
         0 takes any free one.
+    lent : callable, optional
+        Lets other booths lend clones (:func:`cloner.scenes.served.lending.lent_to`).
     said : callable
         Gets lines while it goes on: first the page's address.
 
@@ -78,7 +81,9 @@ def serve_folder(
     with served(living, opens or (lambda told: hmac.compare_digest(told.encode(), number.encode())), host, port) as url:
         said(url)
         said(f"staff: Ctrl+Shift+K and the number {number or 'of the event'}")
-        with going_on(living):
+        with going_on(living), lent(living, host) if lent else nullcontext("") as address:
+            if address:
+                said(f"other booths: cloner scene lend {address} --clones EVENT")
             while True:
                 living.look()
                 time.sleep(EVERY_S)
@@ -124,7 +129,7 @@ def served(living: Living, opens: Callable[[str], bool], host: str = HOST, port:
         server = serve(
             partial(_receive, state), host, port, process_request=partial(_answer, state), compression=None,
             max_size=LONGEST_BYTES, max_queue=2, open_timeout=PATIENCE_S, close_timeout=1.0, server_header=None,
-            ping_interval=ALIVE_S / 2.0, ping_timeout=ALIVE_S / 2.0, logger=_silent(),
+            ping_interval=ALIVE_S / 2.0, ping_timeout=ALIVE_S / 2.0, logger=silent(),
         )  # fmt: skip
     except (OSError, OverflowError) as error:
         hint = "Give an address of this machine, and leave --port out or give one that is free, 1024 to 65535"
@@ -160,7 +165,7 @@ def _is_own(host: str) -> bool:
     return (own.is_private or own.is_link_local) and not own.is_unspecified
 
 
-def _silent() -> logging.Logger:
+def silent() -> logging.Logger:
     """Return a logger that says nothing: who looks at a clone is nobody's business."""
     logger = logging.getLogger("cloner.scenes.pages")
     logger.disabled = True

@@ -1,0 +1,28 @@
+"""What pages of a served scene are told of steps, and what a pack says of its page."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.packs.files import MARK
+
+
+def steps_of(ways: Mapping[int, NDArray[np.float32]]) -> dict[str, Any]:
+    """Return people's footings as pages read them: who has how many, and all of them in line."""
+    data = b"".join(rows.astype("<f4").tobytes() for rows in ways.values())
+    return {"of": [[who, len(rows)] for who, rows in ways.items()], "data": base64.b64encode(data).decode("ascii")}
+
+
+def described(pack: Path) -> Any:
+    """Return what a pack says of its page now, None where there is no pack any more."""
+    try:
+        return json.loads((pack / MARK).read_bytes())["player"]
+    except (OSError, ValueError, LookupError, TypeError):
+        return None
