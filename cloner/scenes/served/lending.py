@@ -127,6 +127,7 @@ def _let_in(living: Living, keys: dict[int, str], said: tuple[int, Any, list[int
         keys[number] = living.enter(lent_of(row, files, living.facts, living.body), fresh=True)
     except ClonerError as error:
         return str(error)
+    living.said("a clone of another booth is in the scene")
     return ""
 
 

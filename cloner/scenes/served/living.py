@@ -77,6 +77,8 @@ class Living:
     ----------
     facts, body
         The pack's.
+    said
+        As given.
 
     Raises
     ------
@@ -86,7 +88,7 @@ class Living:
 
     def __init__(self, pack: Path, clones: Callable[[], tuple[Path, ...]], said: Callable[[str], None]) -> None:
         self.pack, self.over = pack, ""
-        self._clones, self._said = clones, said
+        self._clones, self.said = clones, said
         self.facts = read_facts(pack)
         self._acted = read_acted(pack, self.facts)
         self.body = body_levels(mouth="faces" in self.facts)
@@ -268,9 +270,9 @@ class Living:
                 return
             self._keys[mark] = self.enter(newcomer, fresh=mark not in self._old)
         except ClonerError as error:
-            self._said(f"not shown: {error}")
+            self.said(f"not shown: {error}")
             return
-        self._said(f"{name} is in the scene")
+        self.said(f"{name} is in the scene")
 
     def enter(self, newcomer: Newcomer, *, fresh: bool) -> str:
         """Give a newcomer a part; return the key by which it leaves. ``fresh``: pages find and follow it."""
@@ -290,4 +292,4 @@ class Living:
                 return
             self._minds.dress(one.who, None)
             self._tell("gone", {"key": key})
-        self._said("somebody has left the scene")
+        self.said("somebody has left the scene")
