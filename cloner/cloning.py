@@ -181,7 +181,9 @@ class _Work:
             known=still_true(known, photos, person, corrections),
             progress=lambda step, share: self.progress("export" if step == "done" else step, PIPELINE_SHARE * share),
         )
-        values["clone"] = clone = replace(values["clone"], consent=given.consent, terms=given.terms)
+        values["clone"] = clone = replace(
+            values["clone"], consent=given.consent, terms=given.terms, sex=person.sex, age_years=person.age_years
+        )
         _write_clone(values, self.formats, folder, self.progress)
         wall, cpu = time.perf_counter() - self.begun[0], time.process_time() - self.begun[1]
         run = Run(wall, cpu, peak_mib(), tuple(stages), seed, self.formats, warnings)

@@ -51,6 +51,7 @@ def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
         consent=True, terms=Terms(licence="everyone"),  # nobody's likeness: a family's face and drawn skin
         triangle_regions=regions(worn),
         measures_mm={key: round(told.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
+        sex=told.sex, age_years=told.age_years,
     )  # fmt: skip
 
 

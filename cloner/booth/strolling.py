@@ -64,11 +64,10 @@ def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[st
     # drawing and scipy: the window knows where the pictures lie from its start, and draws none
     from cloner.generic.layers import clone_layers
     from cloner.geometry.cameras.viewpoints import framing_camera
-    from cloner.motion.limbs.body import body_of
-    from cloner.motion.moves.gait import walk
+    from cloner.motion.moves.own import own_motions
     from cloner.render import cut_out
 
-    motion = walk(body_of(clone))
+    motion = own_motions(clone)[0]
     frames = np.linspace(0, len(motion.times_s) - 1, FRAMES, endpoint=False).round().astype(int)
     posed = [clone_layers(clone, motion.rotations[frame]) for frame in frames]
     points = np.vstack([layer.vertices_m for layers in posed for layer in layers])

@@ -17,6 +17,7 @@ from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.project.archives import BROKEN, opened
+from cloner.project.person_table import OLDEST_YEARS, SEXES
 from cloner.records.bodies import PosedView
 from cloner.records.clones import NO_SHINE, Clone, TextureAtlas
 from cloner.records.heads import NO_RIDES, Shell
@@ -72,6 +73,8 @@ def save_clone(clone: Clone, path: Path) -> None:
         "measures_mm": dict(clone.measures_mm),
         "consent": clone.consent,
         "terms": asdict(clone.terms),
+        "sex": clone.sex,
+        "age_years": clone.age_years,
     }
     arrays["facts_json"] = np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
     stream = io.BytesIO()
@@ -126,6 +129,8 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         measures_mm={str(name): float(value) for name, value in facts.get("measures_mm", {}).items()},
         consent=facts.get("consent") is True,
         terms=_terms(facts),
+        sex=facts["sex"] if facts.get("sex") in SEXES else "",
+        age_years=float(age) if 0.0 <= (age := facts.get("age_years", 0.0)) <= OLDEST_YEARS else 0.0,
         stamp="".join(one for one in str(facts.get("stamp", "")) if one.isalnum() or one in " .,=:-")[:400],
     )
 

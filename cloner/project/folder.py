@@ -13,7 +13,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m, m_from_cm
 from cloner.project import corrections as corrections_json
 from cloner.project.atomic import write_text
-from cloner.project.person_table import person_table, tape_mm_of, terms_of, text_of
+from cloner.project.person_table import person_table, sex_and_age_of, tape_mm_of, terms_of, text_of
 from cloner.project.texts import check_own, read_text
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections
@@ -127,7 +127,8 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     Parameters
     ----------
     folder : Path
-        May hold ``person.toml`` with name, height_cm, notes, consent, event, licence and a table measures (cm).
+        May hold ``person.toml`` with name, height_cm, sex, age, notes, consent, event, licence and a table
+        measures (cm).
     height_cm : float or None
         Barefoot height from the command line; wins over the file.
     identifier : str or None
@@ -151,6 +152,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     known = height is not None
     stature_m = m_from_cm(_checked_height(height, source) if known else DEFAULT_HEIGHT_CM)
     terms_of(data)
+    sex, age_years = sex_and_age_of(data)
     return Person(
         identifier=safe_identifier(identifier if identifier is not None else folder.resolve().name),
         name=name,
@@ -158,6 +160,8 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
         stature_is_known=known,
         notes=notes,
         tape_mm=tape_mm_of(data, stature_m),
+        sex=sex,
+        age_years=age_years,
     )
 
 

@@ -14,7 +14,10 @@ from cloner.records.terms import LICENCES, LONGEST_TERM, Terms
 
 LONGEST_TOLD_TEXT: Final = 30  # of a word nobody knows; taste
 PERSON_FORMAT: Final = 1  # files without a number are of format 1
-_PERSON_KEYS: Final = {"format", "name", "height_cm", "notes", "measures", "consent", "event", "licence"}
+_PERSON_KEYS: Final = {"format", "name", "height_cm", "notes", "measures", "consent", "event", "licence", "sex", "age"}
+#: As which one may say to walk.
+SEXES: Final = ("f", "m")
+OLDEST_YEARS: Final = 125.0  # nobody was older
 
 
 def person_table(path: Path) -> Mapping[str, Any]:
@@ -41,6 +44,17 @@ def text_of(data: Mapping[str, Any], key: str) -> str:
     if not isinstance(value, str):
         raise ClonerError(f"{key} must be text in quotes", "Put it in quotes", f"person.toml, {key}")
     return value
+
+
+def sex_and_age_of(data: Mapping[str, Any]) -> tuple[str, float]:
+    """Return what is told of sex ("f", "m" or "") and age (years, 0 where nothing is)."""
+    sex, age = text_of(data, "sex"), data.get("age", 0)
+    if sex not in ("", *SEXES):
+        hint = 'Write sex = "f" or sex = "m", or leave it out'
+        raise ClonerError(f"the sex {sex[:LONGEST_TOLD_TEXT]!r} is not known", hint, "person.toml, sex")
+    if isinstance(age, bool) or not isinstance(age, int | float) or not 0 <= age <= OLDEST_YEARS:
+        raise ClonerError("age must be years", "Write a line like: age = 71", "person.toml, age")
+    return sex, float(age)
 
 
 def terms_of(data: Mapping[str, Any]) -> Terms:

@@ -125,6 +125,8 @@ class Clone:
         Whether the person's consent was recorded with the photos.
     terms : Terms
         Whom the files name, and what others may do with them; empty without consent.
+    sex : str, age_years : float
+        "f" or "m", and years, where somebody told them: the walk is that of such a person. "" and 0 otherwise.
     """
 
     vertices_m: NDArray[np.float64]
@@ -144,6 +146,8 @@ class Clone:
     measures_mm: Mapping[str, float] = field(default_factory=dict)
     consent: bool = False
     terms: Terms = field(default_factory=Terms)
+    sex: str = ""
+    age_years: float = 0.0
 
     def __post_init__(self) -> None:
         _freeze_person(self)

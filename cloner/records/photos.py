@@ -80,6 +80,8 @@ class Person:
     notes : str
     tape_mm : tuple of (str, float)
         What an operator measured on the person: keys of the measures' table and mm.
+    sex : str, age_years : float
+        "f", "m" or "", and years or 0: as whom the clone walks.
     """
 
     identifier: str
@@ -88,3 +90,5 @@ class Person:
     stature_is_known: bool = True
     notes: str = field(default="")
     tape_mm: tuple[tuple[str, float], ...] = ()
+    sex: str = ""
+    age_years: float = 0.0

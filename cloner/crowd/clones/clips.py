@@ -29,7 +29,7 @@ from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.gait import aim_limb, follow, idle, stands_at, upright, walk
 from cloner.motion.moves.planting import planted
 from cloner.motion.moves.slide import posed_at
-from cloner.motion.moves.styles import REGULAR, RUN, STYLES, Style
+from cloner.motion.moves.styles import REGULAR, RUN, STYLES, Style, suited
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -89,13 +89,14 @@ def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: 
     """
     body = body_of(clone)
     found = [
-        _clip(clone, walked(body, REGULAR), poses),
+        _clip(clone, walked(body, suited(REGULAR, clone.sex, clone.age_years)), poses),
         _clip(clone, shown(idle(body), IDLE_FRAMES), IDLE_POSES),
         _clip(clone, shown(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
     ]
     if feelings:
         others = [*(style for style in STYLES.values() if style is not REGULAR), RUN]
-        found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in others]
+        own = [suited(style, clone.sex, clone.age_years) for style in others]
+        found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in own]
         found += [_clip(clone, shown(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
     return (*found, *(_clip(clone, shown(captured(body, path), WALK_FRAMES), poses) for path in walks))
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from cloner.motion.limbs.body import body_of
 from cloner.motion.moves.gait import idle, walk
+from cloner.motion.moves.styles import REGULAR, suited
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.remembered import once_each
@@ -16,6 +17,6 @@ Moves = Callable[[Clone], Sequence[Motion]]
 
 @once_each
 def own_motions(clone: Clone) -> tuple[Motion, ...]:
-    """Return walk and idle in the clone's own proportions."""
+    """Return walk and idle in the clone's own proportions, the walk of its sex and age where these were told."""
     body = body_of(clone)
-    return walk(body), idle(body)
+    return walk(body, suited(REGULAR, clone.sex, clone.age_years)), idle(body)

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from cloner.behaviour.model import EMOTIONS
 from cloner.generic.load import load_generic
@@ -14,7 +15,7 @@ from cloner.motion.limbs.body import SIDES, Body, body_of
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.gait import walk
 from cloner.motion.moves.slide import step_slides_m
-from cloner.motion.moves.styles import RUN, STYLES
+from cloner.motion.moves.styles import REGULAR, RUN, STYLES, suited
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
 
@@ -103,3 +104,23 @@ def test_feelings_differ_as_they_do_in_people(bodies: dict[str, Body], walks: di
         assert min(lean["sad"], lean["explosive"], lean["afraid"]) > lean["regular"] + 0.02 > lean["happy"] + 0.02
         nose = {name: body.world(one)[:, body.joint("skullbase"), 1, 2].mean() for name, one in own.items()}
         assert nose["sad"] < -0.3 < -0.1 < nose["regular"] < nose["happy"], "how far up the face looks"
+
+
+@pytest.mark.parametrize(("sex", "age", "steps", "longer"), [
+    ("f", 30.0, 1.0, 1.0), ("m", 30.0, 1.0, 1.0), ("", 7.0, 1.18, 1.0), ("m", 80.0, 1.0, 0.84), ("", 0.0, 1.0, 1.0),
+])  # fmt: skip
+def test_sex_and_age_shape_a_walk(bodies: dict[str, Body], sex: str, age: float, steps: float, longer: float) -> None:
+    body = bodies["mean"]
+    usual, own = walk(body), walk(body, suited(REGULAR, sex, age))
+    quick = usual.times_s[-1] / own.times_s[-1]
+    stride = own.speed_m_s * own.times_s[-1] / (usual.speed_m_s * usual.times_s[-1])
+    assert quick == pytest.approx(steps, abs=0.03)
+    assert stride == pytest.approx(longer, abs=0.06)
+    left, right = body.sole_points(body.world(own), own.root_m)
+    assert min(left[..., 1].min(), right[..., 1].min()) > -0.002
+    assert step_slides_m(body, own).max() < 0.015
+    hips, chest = (np.ptp(Rotation.from_matrix(body.world(own)[:, body.joint(name)]).as_rotvec()[:, 1])
+                   / np.ptp(Rotation.from_matrix(body.world(usual)[:, body.joint(name)]).as_rotvec()[:, 1])
+                   for name in ("sacroiliac", "vt1"))  # fmt: skip
+    assert (hips > 1.2) == (sex == "f")
+    assert (chest > 1.1) == (sex == "m")

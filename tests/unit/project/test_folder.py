@@ -179,6 +179,12 @@ def test_usual_measures_of_small_and_tall_people_are_taken(tmp_path: Path, heigh
         ("height_cm = true", "must be a number"),
         ("heigth_cm = 172", "'heigth_cm' is not known"),
         ("name = 7", "name must be text"),
+        ('sex = "x"', "the sex 'x' is not known"),
+        ("sex = 1", "sex must be text"),
+        ('age = "old"', "age must be years"),
+        ("age = 300", "age must be years"),
+        ("age = nan", "age must be years"),
+        ("age = true", "age must be years"),
     ],
 )
 def test_malformed_person_files_are_refused(tmp_path: Path, text: str, words: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,10 +20,20 @@ def older_clone(path: Path) -> None:
     with np.load(path) as archive:
         arrays = {name: archive[name] for name in archive.files if name != "triangle_regions"}
     facts = json.loads(arrays["facts_json"].tobytes())
-    for name in ("shell_kinds", "stamp"):
+    for name in ("shell_kinds", "stamp", "sex", "age_years"):
         facts.pop(name)
     arrays["facts_json"] = np.frombuffer(json.dumps(facts).encode(), np.uint8)
     np.savez(path, **arrays)
+
+
+def test_sex_and_age_are_kept_and_absurd_ones_of_a_file_are_not(tmp_path: Path) -> None:
+    (tmp_path / "person.toml").write_text('sex = "f"\nage = 71\n')
+    told = read_person(tmp_path)
+    assert (told.sex, told.age_years) == ("f", 71.0)
+    for sex, age, kept in (("f", 71.0, ("f", 71.0)), ("z", 1e9, ("", 0.0)), ("", float("nan"), ("", 0.0))):
+        save_clone(replace(toy_clone(), sex=sex, age_years=age), tmp_path / "clone.npz")
+        found = load_clone(tmp_path / "clone.npz")
+        assert (found.sex, found.age_years) == kept
 
 
 def test_clones_of_the_first_version(tmp_path: Path) -> None:
