@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from scipy.io import wavfile
-from scipy.signal import fftconvolve, resample_poly
+from scipy.signal import oaconvolve, resample_poly
 
 from cloner.acting.written import SpokenParts
 from cloner.crowd.clones.faces import TARGETS, WEIGHTS
@@ -69,7 +69,7 @@ def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
     kept = {SPOKEN_FILE: data} | {
         file: wav_bytes(speeches[name].rate_hz, speeches[name].sound[:, None]) for name, file in files.items()
     }
-    sounds = {file: _at_rate(speeches[name]) for name, file in files.items()}
+    sounds = {file: _at_rate(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()}
     heard = tuple(sounds.get(one.sound, np.zeros(0)) for one in said)
     return SpokenParts(kept, {"arrays": told, "said": [asdict(one) for one in said]}), Voices(said, heard)
 
@@ -98,12 +98,15 @@ def _check_at_once(film: Film, said: Sequence[Said]) -> None:
             raise ClonerError(message, "Let one speech end before the next begins", "the film")
 
 
-def _at_rate(speech: Speech) -> Array:
-    divisor = int(np.gcd(speech.rate_hz, RATE_HZ))
-    return np.asarray(resample_poly(speech.sound, RATE_HZ // divisor, speech.rate_hz // divisor))
+def _at_rate(sound: Array, rate_hz: int) -> Array:
+    """Return sound of any rate as one of `RATE_HZ`."""
+    divisor = int(np.gcd(rate_hz, RATE_HZ))
+    return np.asarray(resample_poly(sound, RATE_HZ // divisor, rate_hz // divisor))
 
 
-def heard(voices: Voices, seconds: float, ear: Ear, echo: tuple[bytes, Sequence[float]] | None = None) -> Array:
+def heard(
+    voices: Voices, seconds: float, ear: Ear, echo: tuple[bytes, Sequence[float]] | None = None
+) -> NDArray[np.float32]:
     """Return (N, 2) what a film's ear hears, left and right, of `RATE_HZ`; no sample is beyond -1..1.
 
     Parameters
@@ -115,7 +118,7 @@ def heard(voices: Voices, seconds: float, ear: Ear, echo: tuple[bytes, Sequence[
     echo : a WAV file's bytes and the borders (x, z, x, z) of where the room has that echo
     """
     count = round(seconds * RATE_HZ)
-    out, dry = np.zeros((count, 2)), np.zeros(count)
+    out, dry = np.zeros((count, 2), np.float32), np.zeros(count, np.float32)
     for one, sound in zip(voices.said, voices.sounds, strict=True):
         begin = round(one.when * RATE_HZ)
         own = sound[: max(count - begin, 0)]
@@ -135,12 +138,10 @@ def heard(voices: Voices, seconds: float, ear: Ear, echo: tuple[bytes, Sequence[
         dry[part] += np.interp(times, asked, np.broadcast_to(wet, len(asked))) * loud * own
     if echo is not None:
         rate, ring = wavfile.read(io.BytesIO(echo[0]))
-        ring = resample_poly(
-            ring.astype(np.float64), RATE_HZ // int(np.gcd(rate, RATE_HZ)), rate // int(np.gcd(rate, RATE_HZ))
-        )
+        ring = _at_rate(ring.astype(np.float64), rate)
         ring *= ECHO_RMS * ECHO_HZ / RATE_HZ / max(float(np.sqrt((ring**2).mean())), 1e-12)
-        out += fftconvolve(dry, ring)[:count, None]
-    return np.asarray(out / max(float(np.abs(out).max(initial=0.0)), 1.0))
+        out += oaconvolve(dry, ring.astype(np.float32))[:count, None]
+    return np.asarray(out / np.float32(max(float(np.abs(out).max(initial=0.0)), 1.0)))
 
 
 def _wet(at: Array, borders: Sequence[float]) -> float:
@@ -148,7 +149,7 @@ def _wet(at: Array, borders: Sequence[float]) -> float:
     return WET if x0 <= at[0] <= x1 and z0 <= at[2] <= z1 else WET * WET_ELSEWHERE
 
 
-def wav_bytes(rate: int, samples: Array) -> bytes:
+def wav_bytes(rate: int, samples: NDArray[np.floating]) -> bytes:
     """Return (N, channels) samples -1..1 as a WAV file of 16 bits."""
     stream = io.BytesIO()
     wavfile.write(stream, rate, np.rint(samples * FULL).astype(np.int16))
