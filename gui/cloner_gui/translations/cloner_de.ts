@@ -2901,6 +2901,18 @@
         <translation>Setzen Sie es in Anführungszeichen</translation>
     </message>
     <message>
+        <source>Write sex = &quot;f&quot; or sex = &quot;m&quot;, or leave it out</source>
+        <translation>Schreiben Sie sex = &quot;f&quot; oder sex = &quot;m&quot;, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>age must be years</source>
+        <translation>age müssen Jahre sein</translation>
+    </message>
+    <message>
+        <source>Write a line like: age = 71</source>
+        <translation>Schreiben Sie eine Zeile wie: age = 71</translation>
+    </message>
+    <message>
         <source>measures must be a table of centimetres</source>
         <translation>measures muss eine Tabelle in Zentimetern sein</translation>
     </message>

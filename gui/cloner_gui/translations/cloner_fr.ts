@@ -2901,6 +2901,18 @@
         <translation>Mettez-le entre guillemets</translation>
     </message>
     <message>
+        <source>Write sex = &quot;f&quot; or sex = &quot;m&quot;, or leave it out</source>
+        <translation>Écrivez sex = &quot;f&quot; ou sex = &quot;m&quot;, ou omettez-le</translation>
+    </message>
+    <message>
+        <source>age must be years</source>
+        <translation>age doit être en années</translation>
+    </message>
+    <message>
+        <source>Write a line like: age = 71</source>
+        <translation>Écrivez une ligne comme : age = 71</translation>
+    </message>
+    <message>
         <source>measures must be a table of centimetres</source>
         <translation>measures doit être un tableau en centimètres</translation>
     </message>

@@ -2900,6 +2900,18 @@
         <translation>Tırnak içine alın</translation>
     </message>
     <message>
+        <source>Write sex = &quot;f&quot; or sex = &quot;m&quot;, or leave it out</source>
+        <translation>sex = &quot;f&quot; veya sex = &quot;m&quot; yazın ya da boş bırakın</translation>
+    </message>
+    <message>
+        <source>age must be years</source>
+        <translation>age yıl olmalıdır</translation>
+    </message>
+    <message>
+        <source>Write a line like: age = 71</source>
+        <translation>Şöyle bir satır yazın: age = 71</translation>
+    </message>
+    <message>
         <source>measures must be a table of centimetres</source>
         <translation>measures santimetre tablosu olmalı</translation>
     </message>
