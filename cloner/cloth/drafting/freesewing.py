@@ -150,7 +150,7 @@ def _half(curves: Array, part: str, where: str) -> dict[str, Array]:
     """Return the runs of a front's or back's half, the fold at x = 0, points (3 PIECES + 1, 2) evenly along each."""
     left = float(curves[..., 0].min())
     is_fold = np.abs(curves[..., 0] - left).max(axis=1) < FOLD_M
-    if not is_fold.any():
+    if not is_fold.any() or is_fold.all():
         raise ClonerError(f"the part {part!r} is not cut on the fold", _HINT, where)
     after = int(np.flatnonzero(is_fold & ~np.roll(is_fold, -1))[0]) + 1
     chain = np.roll(curves, -after, axis=0)[: len(curves) - int(is_fold.sum())] - [left, 0.0]
