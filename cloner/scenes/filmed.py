@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Final
 
@@ -19,12 +19,13 @@ from cloner.crowd.packs.still import Painter
 from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.staging import Staging, staging_of
 from cloner.errors import ClonerError
+from cloner.motion.face.sound import wav_bytes
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import appears, result_folder, safe_output
 from cloner.records.arrays import Array
 from cloner.scenes.films.sequence import read_sequence
 from cloner.scenes.films.staged import acted_by
-from cloner.scenes.films.voices import RATE_HZ, Ear, Voices, heard, voices_of, wav_bytes
+from cloner.scenes.films.voices import RATE_HZ, Ear, Voices, heard, voices_of
 from cloner.scenes.inhabited import room_parts, sounding, views_in
 from cloner.scenes.written import light_in, room_in, sound_in
 from cloner.vision.photographs.films import FORMATS, told_png, write_film
@@ -121,20 +122,20 @@ def _draw(
                         folder / f"{number:0{DIGITS}}.png", pnginfo=told_png(filmed(facts["people"]))
                     )
                 if sound is not None:
-                    (folder / SOUND_FILE).write_bytes(wav_bytes(RATE_HZ, sound))
+                    (folder / SOUND_FILE).write_bytes(wav_bytes(sound, RATE_HZ))
     finally:
         theatre.close()
 
 
 def _ear(staging: Staging, acted: Acted) -> Ear:
-    """Return where the film's eye is, its right, and people's heads at a time."""
+    """Return where the film's eye is, its right, and somebody's head at a time."""
 
-    def ear(now: float, who: Sequence[int]) -> tuple[Array, Array, Array]:
+    def ear(now: float, who: int) -> tuple[Array, Array, Array]:
         rows = staging.rows(acted, now)
         eye, look, _ = staging.camera(rows, now)
         ahead = np.subtract(look, eye)
         right = np.array([-ahead[2], 0.0, ahead[0]]) / max(float(np.hypot(ahead[0], ahead[2])), 1e-9)
-        return np.array(eye), right, np.array([staging.head(rows, one) for one in who])
+        return np.array(eye), right, staging.head(rows, who)
 
     return ear
 

@@ -12,6 +12,7 @@ import numpy as np
 from cloner.crowd.staged.rooms import Probes
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
+from cloner.motion.face.sound import wav_bytes
 from cloner.outside import UnfitFile, read_outside
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
@@ -22,7 +23,7 @@ from cloner.scenes.building.pieces import plan_place
 from cloner.scenes.building.reading import read_plan
 from cloner.scenes.building.solids import Room, room_of
 from cloner.scenes.building.x3d import room_x3d
-from cloner.scenes.lighting.echoes import EAR_M, echo_at, wav_bytes
+from cloner.scenes.lighting.echoes import EAR_M, RATE_HZ, echo_at
 from cloner.scenes.lighting.light import lit_room
 from cloner.scenes.lighting.probes import probes_of
 
@@ -102,7 +103,7 @@ def sound_folder(folder: Path, progress: Progress = quiet) -> list[str]:
         middle = ((floor.low[0] + floor.high[0]) / 2.0, (floor.low[1] + floor.high[1]) / 2.0)
         echo = echo_at(room, plan_place(*middle, EAR_M))
         name = f"floor_{number}.wav"
-        write_bytes(folder / SOUND_FOLDER / name, wav_bytes(echo))
+        write_bytes(folder / SOUND_FOLDER / name, wav_bytes(echo.samples, RATE_HZ))
         lines.append(f"{name}: at {middle[0]:g}, {middle[1]:g}: falls by 60 dB in {echo.rings_s:.2f} s")
         progress("sound", number / len(room.plan.floors))
     return [*lines, str(folder / SOUND_FOLDER)]

@@ -129,7 +129,7 @@ class Painter:
             theatre.send_people(made.rows)
         feelings = facts["faces"]["feelings"] if "faces" in facts and isinstance(made, Acted) else []
         names = [clip["name"] for clip in facts["people"][0]["clips"]]
-        self._feelings = np.array([feelings.index(one) + 1 if one in feelings else 0 for one in names]) * bool(feelings)
+        self._feelings = np.array([feelings.index(one) + 1 if one in feelings else 0 for one in names])
 
     def picture(
         self, view: tuple[Any, Any], now: float, mode: str = "hybrid", hour: Hour = DAY, field_deg: float = FIELD_DEG

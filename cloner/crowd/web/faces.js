@@ -33,6 +33,16 @@ function faceTextures(rows, moves) {
   };
 }
 
+// Everybody's face anew, in place of what uniforms had.
+function dressFaces(uniforms, body, people) {
+  const { faceHigh, ...made } = faceTextures(body.face, people.map((one) => one.face));
+  uniforms.faceHigh.value = faceHigh;
+  for (const [name, texture] of Object.entries(made)) {
+    uniforms[name].value.dispose();
+    uniforms[name].value = texture;
+  }
+}
+
 // What faces of those who act show: a texture of which feeling, from 1, and how much of it.
 function feelingsOf(count) {
   const { feelings } = facts.faces, names = facts.people[0].clips.map((one) => one.name);

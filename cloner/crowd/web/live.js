@@ -78,10 +78,8 @@ function liveOf() {
   }
 
   function dressAgain() {
-    const faces = facts.faces ? faceTextures(stage.body.face, stage.people.map((one) => one.face)) : {};
-    uniforms.faceHigh.value = faces.faceHigh || 1;
-    delete faces.faceHigh;
-    for (const [name, texture] of Object.entries({ ...bodyTextures(stage.people), ...faces })) {
+    if (facts.faces) dressFaces(uniforms, stage.body, stage.people);
+    for (const [name, texture] of Object.entries(bodyTextures(stage.people))) {
       uniforms[name].value.dispose();
       uniforms[name].value = texture;
     }

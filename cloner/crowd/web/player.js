@@ -47,8 +47,7 @@ async function start(context) {
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
   if (facts.statues) uniforms.stoneColour.value.set(...facts.statues.colour);
   if (facts.faces) {
-    const made = faceTextures(stage.body.face, stage.people.map((one) => one.face));
-    for (const [name, value] of Object.entries(made)) uniforms[name].value = value;
+    dressFaces(uniforms, stage.body, stage.people);
     if (facts.acted) feelings = feelingsOf(facts.acted.people);
   }
   if (facts.spoken) {

@@ -14,6 +14,7 @@ from __future__ import annotations
 import io
 import struct
 import warnings
+import wave
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +22,7 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.io import wavfile
 from scipy.linalg import solve_toeplitz
 from scipy.signal import resample_poly
@@ -130,6 +132,17 @@ def read_sound(path: Path) -> tuple[int, Array]:
     if len(sound) < RATE_HZ * FRAME_S or not 0.0 < np.abs(sound).max() < np.inf:  # neither nan
         raise ClonerError("there is nothing to hear in the sound", "Record it again", path.name)
     return int(rate), sound
+
+
+def wav_bytes(samples: NDArray[np.floating], rate_hz: int) -> bytes:
+    """Return (N,) or (N, channels) samples, -1..1, as a WAV file of 16 bits."""
+    stream = io.BytesIO()
+    with wave.open(stream, "wb") as file:
+        file.setnchannels(samples.shape[1] if samples.ndim > 1 else 1)
+        file.setsampwidth(2)
+        file.setframerate(rate_hz)
+        file.writeframes(np.rint(samples * 32767.0).astype("<i2").tobytes())
+    return stream.getvalue()
 
 
 def frame_features(sound: Array) -> SpeechFrames:

@@ -20,6 +20,7 @@ from cloner.crowd.packs.files import packed
 from cloner.crowd.staged.faces import MOST_AT_ONCE, MOST_SAID, Said
 from cloner.crowd.staged.faces import RATE_HZ as FACES_HZ
 from cloner.errors import ClonerError
+from cloner.motion.face.sound import wav_bytes
 from cloner.motion.face.talk import Speech, face_weights, speech_in
 from cloner.records.arrays import Array
 from cloner.scenes.films.sequence import Sequence as Film
@@ -31,10 +32,9 @@ WET, WET_ELSEWHERE = 0.9, 0.15
 ECHO_RMS, ECHO_HZ = 0.00125, 44_100.0
 #: How often places of ear and mouths are asked, a second; nobody walks half a metre meanwhile.
 ASKED_HZ: Final = 25.0
-FULL: Final = 32767.0
 
-#: Where the ear is at a time, which way is right, and where the heads of these people are: (3,), (3,), (n, 3), metres.
-Ear = Callable[[float, Sequence[int]], tuple[Array, Array, Array]]
+#: Where the ear is at a time, which way is right, and where somebody's head is: (3,) each, metres.
+Ear = Callable[[float, int], tuple[Array, Array, Array]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,7 +67,7 @@ def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
     _check_at_once(film, said)
     data, told = packed({"weights": np.concatenate(list(rows.values()))})
     kept = {SPOKEN_FILE: data} | {
-        file: wav_bytes(speeches[name].rate_hz, speeches[name].sound[:, None]) for name, file in files.items()
+        file: wav_bytes(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()
     }
     sounds = {file: _at_rate(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()}
     heard = tuple(sounds.get(one.sound, np.zeros(0)) for one in said)
@@ -126,8 +126,8 @@ def heard(
             continue
         times = np.arange(len(own)) / RATE_HZ
         asked = np.arange(0.0, times[-1] + 1.0 / ASKED_HZ, 1.0 / ASKED_HZ)
-        places = [ear(min(one.when + t, seconds), (one.who,)) for t in asked]
-        away = np.array([head[0] - at for at, _, head in places])
+        places = [ear(min(one.when + t, seconds), one.who) for t in asked]
+        away = np.array([head - at for at, _, head in places])
         far = np.maximum(np.linalg.norm(away, axis=1), 1.0)  # as panners of pages: all of it within a metre
         side = np.array([way @ right for way, (_, right, _) in zip(away, places, strict=True)]) / far
         loud, pan = np.interp(times, asked, 1.0 / far), np.interp(times, asked, side)
@@ -147,10 +147,3 @@ def heard(
 def _wet(at: Array, borders: Sequence[float]) -> float:
     x0, z0, x1, z1 = borders
     return WET if x0 <= at[0] <= x1 and z0 <= at[2] <= z1 else WET * WET_ELSEWHERE
-
-
-def wav_bytes(rate: int, samples: NDArray[np.floating]) -> bytes:
-    """Return (N, channels) samples -1..1 as a WAV file of 16 bits."""
-    stream = io.BytesIO()
-    wavfile.write(stream, rate, np.rint(samples * FULL).astype(np.int16))
-    return stream.getvalue()

@@ -10,8 +10,6 @@ include the diffuse sound scattering of walls (diffuse rain); Schroeder 1965 (ba
 
 from __future__ import annotations
 
-import io
-import wave
 from dataclasses import dataclass
 from typing import Final
 
@@ -133,14 +131,3 @@ def _sounding(energy: Array) -> Array:
     samples[first : first + each] = 0.0
     samples[first] = np.sqrt(energy.max(initial=0.0))  # what comes straight is no noise
     return np.asarray(samples / max(float(np.abs(samples).max()), 1e-30))
-
-
-def wav_bytes(echo: Echo) -> bytes:
-    """Return an impulse response as a WAV file of 16 bits, one channel."""
-    stream = io.BytesIO()
-    with wave.open(stream, "wb") as file:
-        file.setnchannels(1)
-        file.setsampwidth(2)
-        file.setframerate(RATE_HZ)
-        file.writeframes(np.rint(echo.samples * 32767.0).astype("<i2").tobytes())
-    return stream.getvalue()

@@ -8,7 +8,6 @@ whatever, all its clones leave the scene. A lost link is tried again, and its cl
 from __future__ import annotations
 
 import hmac
-import ipaddress
 import json
 import secrets
 import threading
@@ -26,9 +25,9 @@ from cloner.crowd.clones.people import Found
 from cloner.errors import ClonerError, plain
 from cloner.project.folder import safe_identifier
 from cloner.scenes.served.lent import FILES, lent_of, wanted_of
-from cloner.scenes.served.living import EVERY_S, Living, Mark
-from cloner.scenes.served.newcomers import Newcomer, finished_in, made_at, newcomer_of
-from cloner.scenes.served.serving import ALIVE_S, NO_MESSAGE, PATIENCE_S, TOO_MANY, TURN_S, WRONG_S, silent
+from cloner.scenes.served.living import EVERY_S, Living
+from cloner.scenes.served.newcomers import Mark, Newcomer, finder_of, made_at, marks_of, newcomer_of
+from cloner.scenes.served.serving import NO_MESSAGE, OPTIONS, PATIENCE_S, TOO_MANY, TURN_S, WRONG_S, is_own, silent
 
 #: A clone has 2 MB; more than this is none.
 LARGEST_BYTES: Final = 16_000_000
@@ -55,9 +54,8 @@ def lent_to(living: Living, host: str) -> Iterator[str]:
     token, places = secrets.token_urlsafe(24), threading.BoundedSemaphore(MOST_BOOTHS)
     try:
         server = serve(
-            partial(_take, living, places), host, 0, process_request=partial(_admits, token), compression=None,
-            max_size=LARGEST_BYTES, max_queue=2, open_timeout=PATIENCE_S, close_timeout=1.0, server_header=None,
-            ping_interval=ALIVE_S / 2.0, ping_timeout=ALIVE_S / 2.0, logger=silent(),
+            partial(_take, living, places), host, 0, process_request=partial(_admits, token), max_size=LARGEST_BYTES,
+            logger=silent(), **OPTIONS,
         )  # fmt: skip
     except OSError as error:
         raise ClonerError(f"{host} cannot be had", "Give an address of this machine", "--host") from error
@@ -180,11 +178,7 @@ def lend_folder(
         hint = 'Install it with: pip install "cloner[guide]"'
         raise ClonerError("lending clones needs a library that is not here", hint, "websockets") from error
     _check_near(address)
-    if isinstance(clones, Path):
-        if not clones.is_dir():
-            raise ClonerError("there is no such folder", "Give the folder of results, or the event's", clones.name)
-        clones = partial(finished_in, clones)
-    lender = _Lender(clones, said)
+    lender = _Lender(finder_of(clones), said)
     linked = lost = False
     while not ends():
         try:
@@ -209,8 +203,7 @@ def _check_near(address: str) -> None:
     """Refuse addresses beyond this machine and private networks: visitors' clones leave the house nowhere else."""
     parts = urlsplit(address)
     try:
-        own = ipaddress.IPv4Address(parts.hostname or "")
-        near = parts.scheme == "ws" and bool(parts.port) and (own.is_private or own.is_link_local)
+        near = parts.scheme == "ws" and bool(parts.port) and is_own(parts.hostname or "")
     except ValueError:
         near = False
     if not near:
@@ -234,7 +227,7 @@ class _Lender:
         body = body_levels(mouth="faces" in wanted)
         numbers: dict[Mark, int] = {}
         while not ends():
-            there = [(one, when) for one in self.clones() if (when := made_at(one)) is not None][:MOST_LENT]
+            there = marks_of(self.clones, MOST_LENT)
             for mark in [one for one in numbers if one not in there]:
                 self.ready.pop(mark, None)
                 link.send(json.dumps({"number": numbers.pop(mark), "gone": True}))
@@ -254,9 +247,7 @@ class _Lender:
                 self.ready[mark] = newcomer_of(Found(name, mark[0]), wanted, body)
         except (ClonerError, LookupError, TypeError, ValueError, AttributeError) as error:
             self.said(
-                f"not lent: {error}"
-                if isinstance(error, ClonerError)
-                else "not lent: that scene asks for what is no clone"
+                f"not lent: {error if isinstance(error, ClonerError) else 'that scene asks for what is no clone'}"
             )
             return
         if made_at(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime

@@ -17,6 +17,7 @@ from cloner.crowd.clones.faces import face_wedges
 from cloner.crowd.clones.levels import LOOSE, BodyLevels
 from cloner.crowd.packs.files import unpacked
 from cloner.crowd.packs.told import why_unfit_newcomer
+from cloner.crowd.staged.footing import CLIP_STEP
 from cloner.errors import ClonerError, plain
 from cloner.scenes.served.newcomers import Newcomer
 
@@ -81,7 +82,7 @@ def lent_of(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body
         and (not loose or arrays["corners"].max() < loose)
         and all(np.isfinite(arrays[name]).all() for name in ("table", "touches", "clips"))
         and len(frames) == len(arrays["touches"]) == len(facts["people"][0]["clips"])
-        and ((frames >= 1) & (frames < 1024) & (frames == np.floor(frames))).all()
+        and ((frames >= 1) & (frames < CLIP_STEP) & (frames == np.floor(frames))).all()
         and (arrays["clips"][:, 1] > 0.05).all()
         and len(arrays["bones"]) == frames.sum()
         and arrays["bones"].shape[1] <= MOST_BONES

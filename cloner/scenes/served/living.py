@@ -31,7 +31,7 @@ from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
 from cloner.scenes.served.guests import Guests, Place
 from cloner.scenes.served.minds import Look, Minds, minds_of
-from cloner.scenes.served.newcomers import Newcomer, made_at, newcomer_of
+from cloner.scenes.served.newcomers import Mark, Newcomer, made_at, marks_of, newcomer_of
 from cloner.scenes.served.telling import described, steps_of
 
 #: So many newcomers are there at once; the one who came first makes place. Each is 3 MB of a page's textures; taste.
@@ -47,8 +47,6 @@ KEPT_EVENTS: Final = 240
 AWAKENS: Final = " awakens"
 
 Event = tuple[str, dict[str, Any]]
-#: A folder and when the clone in it was made.
-Mark = tuple[Path, float]
 
 
 @dataclass(slots=True, eq=False)
@@ -94,7 +92,7 @@ class Living:
         self.body = body_levels(mouth="faces" in self.facts)
         self._there: OrderedDict[str, _There] = OrderedDict()
         self._keys: dict[Mark, str] = {}
-        self._old = frozenset(self._marks())
+        self._old = frozenset(marks_of(self._clones, MOST))
         self._events: deque[Event] = deque(maxlen=KEPT_EVENTS)
         self._count = 0
         self._minding = threading.RLock()  # whoever touches minds; first, where both are taken
@@ -247,18 +245,13 @@ class Living:
             self.stop("The scene was taken away or made anew.")
             hint = "Build it again without whom it may not show, and serve it again"
             raise ClonerError("the scene was taken away or made anew", hint, self.pack.name)
-        wanted = self._marks()
+        wanted = marks_of(self._clones, MOST)
         for mark in [one for one in self._keys if one not in wanted]:
             self.leave(self._keys.pop(mark))
         for mark in wanted:
             if mark not in self._keys:
                 self._come(mark)
                 return
-
-    def _marks(self) -> list[Mark]:
-        """Return who is to be there: folders and when their clones were made, the newest first."""
-        made = [(folder, made_at(folder)) for folder in self._clones()]
-        return [(folder, when) for folder, when in made if when is not None][:MOST]
 
     def _come(self, mark: Mark) -> None:
         name = safe_identifier(mark[0].resolve().name)

@@ -7,8 +7,9 @@ busy cores; the rest 4 s).
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -27,6 +28,9 @@ from cloner.errors import ClonerError
 from cloner.project.clone_file import CLONE_FILE
 from cloner.project.flow_file import load_flow
 from cloner.project.results import RESULT_MARK
+
+#: A folder and when the clone in it was made.
+Mark = tuple[Path, float]
 
 _GENERIC: Final = re.compile(r"generic ([0-9a-f]+)")
 
@@ -89,6 +93,27 @@ def finished_in(folder: Path) -> tuple[Path, ...]:
         if made is not None and (path.parent / RESULT_MARK).is_file() and not path.parent.name.startswith("."):
             found.append((made, path.parent))
     return tuple(one for _, one in sorted(found, reverse=True))
+
+
+def finder_of(clones: Path | Callable[[], tuple[Path, ...]]) -> Callable[[], tuple[Path, ...]]:
+    """Return what finds the clones that may be shown, the newest first, in a folder of results or as it is given.
+
+    Raises
+    ------
+    ClonerError
+        If there is no such folder.
+    """
+    if not isinstance(clones, Path):
+        return clones
+    if not clones.is_dir():
+        raise ClonerError("there is no such folder", "Give the folder of results, or the event's", clones.name)
+    return partial(finished_in, clones)
+
+
+def marks_of(clones: Callable[[], tuple[Path, ...]], most: int) -> list[Mark]:
+    """Return the newest clones that are to be there: folders and when their clones were made."""
+    made = [(folder, made_at(folder)) for folder in clones()]
+    return [(folder, when) for folder, when in made if when is not None][:most]
 
 
 def made_at(folder: Path) -> float | None:

@@ -14,15 +14,16 @@ import logging
 import secrets
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Final
 
 from cloner.errors import ClonerError
 from cloner.scenes.served.living import EVERY_S, Living
-from cloner.scenes.served.newcomers import finished_in
+from cloner.scenes.served.newcomers import finder_of
 
 HOST: Final = "127.0.0.1"
 #: What is wrong costs so long, seconds, and what a page may say at most, bytes.
@@ -33,6 +34,11 @@ MOST_PAGES: Final = 8
 PATIENCE_S: Final = 5.0
 #: A page that has not answered for so long is let go, seconds.
 ALIVE_S: Final = 10.0
+#: How sockets are served, pages' and other booths'.
+OPTIONS: Final[Mapping[str, Any]] = MappingProxyType({
+    "compression": None, "max_queue": 2, "open_timeout": PATIENCE_S, "close_timeout": 1.0, "server_header": None,
+    "ping_interval": ALIVE_S / 2.0, "ping_timeout": ALIVE_S / 2.0,
+})  # fmt: skip
 #: A page is listened to at least so often, and has so long to hear that it is over, seconds.
 TURN_S: Final = 0.25
 TOLD_S: Final = 0.3
@@ -72,11 +78,7 @@ def serve_folder(
     ClonerError
         If the pack cannot be shown or is taken away, the folder is missing, or the address cannot be had.
     """
-    if isinstance(clones, Path):
-        if not clones.is_dir():
-            raise ClonerError("there is no such folder", "Give the folder of results, or the event's", clones.name)
-        clones = partial(finished_in, clones)
-    living = Living(pack, clones, said)
+    living = Living(pack, finder_of(clones), said)
     number = f"{secrets.randbelow(1_000_000):06}" if opens is None else ""
     with served(living, opens or (lambda told: hmac.compare_digest(told.encode(), number.encode())), host, port) as url:
         said(url)
@@ -121,15 +123,14 @@ def served(living: Living, opens: Callable[[str], bool], host: str = HOST, port:
     except ImportError as error:
         hint = 'Install it with: pip install "cloner[guide]"'
         raise ClonerError("serving a scene needs a library that is not here", hint, "websockets") from error
-    if not _is_own(host):
+    if not is_own(host):
         hint = "Give this machine's own address in your network, as 192.168.1.20"
         raise ClonerError("the scene is shown in a network of one's own only", hint, "--host")
     state = _State(living, opens)
     try:
         server = serve(
-            partial(_receive, state), host, port, process_request=partial(_answer, state), compression=None,
-            max_size=LONGEST_BYTES, max_queue=2, open_timeout=PATIENCE_S, close_timeout=1.0, server_header=None,
-            ping_interval=ALIVE_S / 2.0, ping_timeout=ALIVE_S / 2.0, logger=silent(),
+            partial(_receive, state), host, port, process_request=partial(_answer, state), max_size=LONGEST_BYTES,
+            logger=silent(), **OPTIONS,
         )  # fmt: skip
     except (OSError, OverflowError) as error:
         hint = "Give an address of this machine, and leave --port out or give one that is free, 1024 to 65535"
@@ -156,7 +157,7 @@ class _State:
         self.places = threading.BoundedSemaphore(MOST_PAGES)
 
 
-def _is_own(host: str) -> bool:
+def is_own(host: str) -> bool:
     """Return whether an address is this machine's loopback or of a private network; a name may be anybody's."""
     try:
         own = ipaddress.IPv4Address(host)

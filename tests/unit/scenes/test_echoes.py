@@ -8,6 +8,7 @@ import wave
 import numpy as np
 import pytest
 
+from cloner.motion.face.sound import wav_bytes
 from cloner.scenes.building.reading import plan_of
 from cloner.scenes.building.solids import Room, room_of
 from cloner.scenes.lighting.echoes import (
@@ -19,7 +20,6 @@ from cloner.scenes.lighting.echoes import (
     echo_at,
     energies,
     rings_s,
-    wav_bytes,
 )
 
 
@@ -58,6 +58,6 @@ def test_the_file_is_a_wav_of_its_samples() -> None:
     echo = echo_at(box("timber"), np.array([4.0, 1.6, -3.0]), rays=300)
     assert np.abs(echo.samples).max() == pytest.approx(1.0)
     assert int(np.abs(echo.samples).argmax()) / RATE_HZ == pytest.approx(APART_M / SPEED_M_S, abs=STEP_S)
-    with wave.open(io.BytesIO(wav_bytes(echo))) as file:
+    with wave.open(io.BytesIO(wav_bytes(echo.samples, RATE_HZ))) as file:
         assert (file.getframerate(), file.getnchannels(), file.getsampwidth()) == (RATE_HZ, 1, 2)
         assert file.getnframes() == len(echo.samples)

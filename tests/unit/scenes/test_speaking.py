@@ -69,7 +69,7 @@ def test_who_is_on_the_right_is_heard_there_and_louder_when_near() -> None:
 
     def energy(head: tuple[float, float, float]) -> np.ndarray:
         said = Voices((Said(0, 0.5, 0, 30, ""),), (tone,))
-        out = heard(said, 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([head])))
+        out = heard(said, 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array(head)))
         assert not out[: RATE_HZ // 2].any()
         assert not out[RATE_HZ // 2 + RATE_HZ :].any()
         return np.asarray((out**2).sum(axis=0))
@@ -87,7 +87,7 @@ def test_a_room_rings_after_the_voice_where_it_has_an_echo() -> None:
     ring[11_025] = 30_000
     wavfile.write(stream, 22_050, ring)
     said = Voices((Said(0, 0.0, 0, 30, ""),), (np.sin(np.arange(4_800) * 0.05),))
-    ear = lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([[0.0, 0.0, -2.0]]))  # noqa: E731
+    ear = lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -2.0]))  # noqa: E731
     inside, outside = (heard(said, 2.0, ear, (stream.getvalue(), box)) for box in ((-5, -5, 5, 5), (8, 8, 9, 9)))
     late = slice(round(0.49 * RATE_HZ), round(0.62 * RATE_HZ))
     assert np.abs(inside[late]).max() == pytest.approx(np.abs(outside[late]).max() / 0.15, rel=1e-3)
