@@ -149,7 +149,10 @@ def engine(told: Told, seeds: int) -> Iterator[Middles]:
     here, found = elsewhere(2000)
     for host, (mean_ms, places) in found.items():
         same = "the same places" if places == here else "OTHER PLACES"
-        told.say(f"- {host}, 1000 people: {mean_ms:.2f} ms a step, mean of 2000, {same} as Python (`{here}`)")
+        told.say(
+            f"- {host}, 1000 people of a scenario, minds too: {mean_ms:.2f} ms a step, mean of 2000, {same} as "
+            f"Python (`{here}`)"
+        )
     yield Middles()
 
 

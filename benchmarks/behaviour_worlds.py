@@ -13,12 +13,12 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.behaviour import dice, fields
+from cloner.behaviour import dice
 from cloner.behaviour.ground import Ground, box, ground_of
 from cloner.behaviour.language import read_text
-from cloner.behaviour.loop import step
+from cloner.behaviour.loop import digest, step
 from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import World, world_of
 
 FREE, SPREAD = 1.34, 0.26  # m/s, Weidmann 1993
 WARM_S = 10.0
@@ -96,7 +96,7 @@ def ring(density: float, seed: int, middles: Middles, seconds: float = 30.0) -> 
 
 
 def lead(bodies: Bodies, ground: Ground, place: int, goal: np.ndarray) -> None:
-    bodies.lead(place, fields.distances(ground, goal), fields.region_cells(ground, goal))
+    bodies.lead(place, ground.region(goal))
 
 
 def through(
@@ -196,8 +196,8 @@ def to_and_fro(bodies: Bodies, steps: int) -> tuple[float, str]:
     return rate, hashlib.sha256(bodies.place.tobytes()).hexdigest()[:16]
 
 
-def whole(count: int, steps: int) -> float:
-    """Return agent-steps a CPU second of a scenario in the same hall, minds too: all to a side and back again."""
+def scenario(count: int) -> World:
+    """Return a scenario in the same hall, minds too: all to a side and back again."""
     side = int(np.sqrt(count / 0.25))
     far, mid, wide = side - 2, side / 2, side - 6
     posts = "".join(
@@ -210,7 +210,12 @@ def whole(count: int, steps: int) -> float:
     )
     for number, ways in enumerate(("south > north", "north > south", "west > east", "east > west")):
         text += f"crowd {count // 4} crowd{number}: visits {ways} again, adapts to space\n"
-    world = world_of(read_text(text), 1)
+    return world_of(read_text(text), 1)
+
+
+def whole(count: int, steps: int) -> float:
+    """Return agent-steps a CPU second of a scenario."""
+    world = scenario(count)
     step(world)  # ways and spots are found
     begun = time.process_time()
     for _ in range(steps):
@@ -219,24 +224,24 @@ def whole(count: int, steps: int) -> float:
 
 
 def elsewhere(steps: int) -> tuple[str, dict[str, tuple[float, str]]]:
-    """Return the digest of 1,000 people here, and of node and Chromium the milliseconds a step and the digest."""
+    """Return the digest of a scenario of 1,000 people here, and of node and Chromium milliseconds a step and digest."""
     sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
     from kit.browser import CHROMIUM, browser
-    from kit.core_log import CoreLog, in_node, kept_places, page
+    from kit.engine_log import in_node, kept_places, log_of, page
 
-    bodies, ground = hall(1000)
-    log = CoreLog(bodies, ground, places=4)
-    _, here = to_and_fro(bodies, steps)
-    found = {}
+    world = scenario(1000)
+    log, found = log_of(world, steps, steps), {}
+    for _ in range(steps):
+        step(world)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        hosts = {"node": in_node(log.written(steps), folder)} if shutil.which("node") else {}
-        (folder / "core.html").write_text(page(log.written(steps)), encoding="utf-8")
+        hosts = {"node": in_node(log, folder)} if shutil.which("node") else {}
+        (folder / "engine.html").write_text(page(log), encoding="utf-8")
         if CHROMIUM:
             with browser(folder / "profile") as shown:
-                shown.open(folder / "core.html")
+                shown.open(folder / "engine.html")
                 shown.wait_for("typeof LOG === 'object'")
                 hosts["Chromium"] = shown.value("play(LOG)")
         for host, told in hosts.items():
             found[host] = told["mean_ms"], hashlib.sha256(kept_places(told)[-1]).hexdigest()[:16]
-    return here, found
+    return digest(world), found

@@ -64,18 +64,11 @@ class Ground:
         row, column = self.cells(place)
         return np.asarray(self.clear[row, column] >= RAY_BODY_M)
 
-    def sees(self, start: Array, end: Array) -> Mask:
-        """Return whether nothing stands between the places of two lists (n, 2)."""
-        away = end - start
-        length = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
-        if not len(length):
-            return np.zeros(0, bool)
-        along = np.arange(1, int(np.ceil(length.max() / CELL_M)) + 1) * CELL_M
-        share = np.minimum(along / np.maximum(length, CELL_M)[:, None], 1.0)
-        way = start[:, None] + share[:, :, None] * away[:, None]
-        row, column = self.cells(way.reshape(-1, 2))
-        clear = self.clear[row, column].reshape(share.shape)
-        return np.asarray(((clear >= 0.0) | (share >= 1.0)).all(axis=1))
+    def region(self, corners: Array) -> Mask:
+        """Return the cells (rows, cols) in which one can stand whose middle lies in a region's corners (k, 2)."""
+        row, column = np.indices(self.clear.shape)
+        within = inside(self.middles(row.ravel(), column.ravel()), corners).reshape(self.clear.shape)
+        return np.asarray(within & (self.clear >= RAY_BODY_M))
 
 
 def box(middle: Sequence[float], size: Sequence[float]) -> Array:

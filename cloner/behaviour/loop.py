@@ -1,41 +1,30 @@
-"""The agents' loop as the source prints it: update the scene; all perceive and select; then all execute."""
+"""The agents' loop, a step at a time: the engine updates the scene; all perceive and select; then all execute."""
 
 from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterator
-from typing import Final
 
 from cloner.behaviour.language import read_actions
 from cloner.behaviour.model import Action
-from cloner.behaviour.obeying import obey
-from cloner.behaviour.perceiving import perceive
-from cloner.behaviour.rules import react, timed
-from cloner.behaviour.together.flocking import one_speed
-from cloner.behaviour.together.following import follow
-from cloner.behaviour.together.goal_changing import change
-from cloner.behaviour.together.repulsion import repel
-from cloner.behaviour.visiting import visit
+from cloner.behaviour.told import sentences
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World
-
-#: Minds work at every second step, feet at each.
-MIND_STEPS: Final = 2
 
 
 def step(world: World) -> None:
     """Let .05 s pass."""
-    timed(world)
-    if world.steps % MIND_STEPS == 0:
-        seen = perceive(world)
-        react(world, seen)
-        change(world, seen)
-        follow(world, seen)
-        visit(world)
-        one_speed(world)
-        repel(world, seen)
-    obey(world)
+    while world.guided:
+        action = world.guided[0]
+        if not world.core.call("guide", *world.names.row_of(action), action.seconds):
+            break  # as many as the engine takes at once
+        world.guided.popleft()
+    world.core.call("live")
     world.steps += 1
+    numbers = world.core.arrays["numbers"]
+    if numbers[0]:
+        world.told += sentences(world.core.arrays["told"][: numbers[0]], world.names)
+        numbers[0] = 0
 
 
 def run(world: World, seconds: float) -> Iterator[World]:

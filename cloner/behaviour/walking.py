@@ -49,12 +49,10 @@ class Bodies:
     wanders: Mask
     looks: Mask
 
-    def lead(self, place: int, distance: Array, region: Mask) -> None:
-        """Tell the core the way to a place before anyone goes: each cell's distance, (rows, cols), and its region."""
-        cells = region.size
-        self.core.arrays["distance"][:] = distance.ravel()
-        self.core.arrays["regions"][place * cells : (place + 1) * cells] = region.ravel()
-        self.core.lead(place)
+    def lead(self, place: int, region: Mask) -> None:
+        """Find the ways to a place before anyone goes there, of the cells of its region (rows, cols)."""
+        self.core.arrays["regions"][place] = region
+        self.core.call("lead", place)
 
 
 def bodies_on(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, period_m: float = 0.0) -> Bodies:
@@ -63,13 +61,18 @@ def bodies_on(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, p
     With a period the world repeats along x: a corridor is a ring.
     """
     rows, cols, reach = ground.near.shape
-    core = Core(people=len(place), places=places, walls=len(ground.walls), cells=(rows, cols), reach=reach,
-                low=(float(ground.low[0]), float(ground.low[1])), period_m=period_m, seed=seed)  # fmt: skip
-    arrays = core.arrays
-    arrays["clear"][:], arrays["walls"][:] = ground.clear.ravel(), ground.walls
-    arrays["near"][:] = ground.near.ravel()
-    core.ready()
-    bodies = Bodies(core, **{name: arrays[name] for name in Bodies.__slots__ if name != "core"})
+    counts = {"people": len(place), "rows": rows, "cols": cols, "walls": len(ground.walls), "reach": reach,
+              "places": places}  # fmt: skip
+    core = Core(counts, (float(ground.low[0]), float(ground.low[1])), period_m=period_m, seed=seed)
+    return bodies_in(core, ground, place)
+
+
+def bodies_in(core: Core, ground: Ground, place: Array) -> Bodies:
+    """Return the people of a core that has just begun, who stand on its ground at places (n, 2)."""
+    core.arrays["clear"][:], core.arrays["walls"][:] = ground.clear, ground.walls
+    core.arrays["near"][:] = ground.near
+    core.call("ready")
+    bodies = Bodies(core, **{name: core.arrays[name] for name in Bodies.__slots__ if name != "core"})
     bodies.place[:] = bodies.target[:] = place
     bodies.radius[:] = BODY_M
     bodies.goal[:] = NOWHERE
@@ -80,4 +83,4 @@ def bodies_on(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, p
 
 def walk(bodies: Bodies) -> None:
     """Move everybody by one step of `STEP_S`."""
-    bodies.core.step()
+    bodies.core.call("step")

@@ -1,4 +1,7 @@
-"""Everything that is true in a running scenario: ground, places, things, people, groups' minds and orders."""
+"""A running scenario: its ground and tables in the engine's memory, and what is true there by name.
+
+Everything that moves is in the engine (`core/`): Python lays out the beginning, passes orders on, and looks.
+"""
 
 from __future__ import annotations
 
@@ -7,116 +10,115 @@ from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-from cloner.behaviour import dice, fields
-from cloner.behaviour.channels import Orders
+from cloner.behaviour import dice
+from cloner.behaviour.core.host import Core
 from cloner.behaviour.dice import purpose
-from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Indices, Mask, box, ground_of
-from cloner.behaviour.model import Action, Group, Scenario
-from cloner.behaviour.walking import STEP_S, Bodies, bodies_on
+from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Indices, Mask, ground_of
+from cloner.behaviour.inhabitants import bands_of, people_of
+from cloner.behaviour.model import Action, Scenario
+from cloner.behaviour.tables import Names, Tables, names_of, tables_of
+from cloner.behaviour.walking import STEP_S, Bodies, bodies_in
 from cloner.errors import ClonerError
 from cloner.records.arrays import Array
 
-#: Weidmann's spread of walking speeds over their mean, .26 / 1.34; nobody further than two of it.
-SPREAD: Final = 0.194
-#: What everybody can do; points and emotions add to it.
-ACTS: Final = ("stand", "walk", "run")
-WALKING, WAITING, CALLED, ACTING, DONE = range(5)
+#: Who may order whom: the later one wins ([S]: guided before reaction before script before what is innate).
+LEVELS: Final = ("innate", "script", "reaction", "guided")
+#: What can be ordered: a place, m/s, an act, a thing to look at, 0 or 1; -1 says that nothing is.
+CHANNELS: Final = ("goal", "speed", "posture", "gaze", "avoidance")
 
 
-@dataclass(slots=True, eq=False)
-class Guest:
-    """Somebody from outside: where his body is, where it is to be, and unit direction of where he looks; (2,) each."""
-
-    at: Array
-    wanted: Array
-    facing: Array
-
-
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class Place:
-    """Where one can go: its middle, corners (k, 2), act, how many it holds (0: any number), whether ways are known."""
+    """Where one can go: its middle (2,), and the cells (rows, cols) of its region."""
 
     name: str
     middle: Array
-    corners: Array
-    act: str = ""
-    seconds: float = 0.0
-    holds: int = 0
-    look_at: int = -1
-    led: bool = False
-    spots: dict[int, Array] = field(default_factory=dict)
+    region: Mask
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Band:
-    """One group's mind.
+    """One group's mind as it is now.
 
     ``home`` is its place in the scenario's groups; ``leader`` a person; ``visits`` its goals in turn; ``knows`` the
-    places it knows; ``memory`` what its leader perceived last: (time, name); ``likes`` its liking of other groups.
+    places it knows; ``memory`` what its leader perceived last: (time, name); ``follows`` a home, or -1.
     """
 
     home: int
     leader: int
-    group: Group
     visits: list[int]
     knows: set[int]
-    memory: deque[tuple[float, str]]
-    follows: int = -1
-    follows_until: float = np.inf
-    follows_at_times: bool = False
-    likes: dict[int, float] = field(default_factory=dict)
-    acted: set[int] = field(default_factory=set)
+    memory: list[tuple[float, str]]
+    follows: int
 
 
-@dataclass(slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False)
 class People:
-    """What is true of each person, a row each; feet are in `walking.Bodies`."""
+    """What is true of each person, a row each, in the engine's own memory; feet are in `walking.Bodies`."""
 
     band: Indices
     home: Indices
     emotion: Indices
     value: Array
-    pace: Array
+    vigour: Array
     domination: Array
-    visit: Indices
     phase: Indices
     until: Array
-    leaving: Mask
     posture: Indices
     gaze: Indices
-    idle: Indices
 
 
 @dataclass(slots=True, eq=False)
 class World:
-    """A running scenario. ``seed`` decides all that is random; ``steps`` of `STEP_S` have been made."""
+    """A running scenario. ``seed`` decides all that is random; ``steps`` of `STEP_S` have been made.
+
+    ``orders`` holds of each of `CHANNELS` what each of `LEVELS` orders everybody, (4, n); ``told`` what happened;
+    ``guided`` orders from outside that wait for the next step.
+    """
 
     scenario: Scenario
     seed: int
     ground: Ground
     bodies: Bodies
     people: People
-    orders: Orders
-    bands: list[Band]
+    names: Names
     places: list[Place]
-    things: Array
-    awake: Mask
-    acts: list[str]
+    orders: dict[str, Array]
     steps: int = 0
-    events: set[str] = field(default_factory=set)
-    guided: list[Action] = field(default_factory=list)
-    cleared: list[tuple[int, float]] = field(default_factory=list)
-    fired: set[int] = field(default_factory=set)
-    expiring: list[tuple[float, int, NDArray[np.int64], tuple[str, ...]]] = field(default_factory=list)
     told: list[tuple[float, str]] = field(default_factory=list)
-    guests: dict[int, Guest] = field(default_factory=dict)
+    guided: deque[Action] = field(default_factory=deque)
+
+    @property
+    def core(self) -> Core:
+        """The engine."""
+        return self.bodies.core
 
     @property
     def time_s(self) -> float:
         """Seconds since the beginning."""
         return self.steps * STEP_S
+
+    @property
+    def acts(self) -> list[str]:
+        """What postures are called."""
+        return self.names.acts
+
+    @property
+    def bands(self) -> list[Band]:
+        """All groups' minds."""
+        arrays, found = self.core.arrays, []
+        names = [*self.names.things, *self.names.points]
+        for k in range(int(arrays["numbers"][1])):
+            memory = zip(arrays["memory_time"][k], arrays["memory_name"][k], strict=True)
+            found.append(Band(
+                int(arrays["band_home"][k]), int(arrays["leader"][k]),
+                arrays["visits"][k, : arrays["visit_count"][k]].tolist(),
+                set(np.flatnonzero(arrays["knows"][k]).tolist()),
+                [(float(when), names[what]) for when, what in list(memory)[: arrays["memory_count"][k]]],
+                int(arrays["follows"][k]),
+            ))  # fmt: skip
+        return found
 
     def members(self, band: int) -> Indices:
         """Return the people of a group who are there."""
@@ -124,20 +126,13 @@ class World:
 
     def of_home(self, home: int) -> Indices:
         """Return the people of all groups that come from one of the scenario's."""
-        bands = [k for k, band in enumerate(self.bands) if band.home == home]
-        return np.flatnonzero(np.isin(self.people.band, bands) & self.bodies.present)
+        homes = self.core.arrays["band_home"][self.people.band]
+        return np.flatnonzero((homes == home) & self.bodies.present)
 
-    def lead_to(self, place: int) -> None:
-        """Tell the core the ways to a place, found when somebody first goes there."""
-        one = self.places[place]
-        if not one.led:
-            distance = fields.distances(self.ground, one.corners)
-            self.bodies.lead(place, distance, fields.region_cells(self.ground, one.corners))
-            one.led = True
-
-    def say(self, text: str) -> None:
-        """Keep what happened."""
-        self.told.append((self.time_s, text))
+    def distances(self, place: int) -> Array:
+        """Return how far each cell is from a place's region, round all obstacles, (rows, cols) metres; inf: no way."""
+        self.core.call("lead", place)
+        return np.array(self.core.arrays["distance"])
 
 
 def world_of(scenario: Scenario, seed: int = 0) -> World:
@@ -150,128 +145,71 @@ def world_of(scenario: Scenario, seed: int = 0) -> World:
     """
     ground = ground_of([np.array(one.corners) for one in scenario.floors],
                        [np.array(one.corners) for one in scenario.obstacles])  # fmt: skip
-    names = [one.name for one in scenario.things]
-    places = [
-        Place(
-            p.name,
-            np.array(p.at),
-            box(p.at, p.size),
-            p.act,
-            p.seconds,
-            p.holds,
-            names.index(p.look_at) if p.look_at else -1,
-        )
-        for p in scenario.points
-    ]
-    for place in places:
-        if not fields.region_cells(ground, place.corners).any():
-            raise ClonerError(f"nobody can stand at {place.name}", "Move its region onto the floor", place.name)
+    names = names_of(scenario)
+    tables = tables_of(scenario, names, ground)
+    for point, region in zip(scenario.points, tables["regions"], strict=True):
+        if not region.any():
+            raise ClonerError(f"nobody can stand at {point.name}", "Move its region onto the floor", point.name)
     count = scenario.people()
-    people = _people(scenario, seed, count)
-    bands = _bands(scenario, people, [place.name for place in places], seed)
-    begin = _begin_at(scenario, ground, places, people, seed)
-    bodies = bodies_on(ground, begin, places=len(places), seed=seed)
+    people = people_of(scenario, seed, count)
+    bands = bands_of(scenario, names, people, seed)
+    core = Core(_counts(ground, tables | people | bands, count), _xy(ground.low), seed=seed)
+    bodies = bodies_in(core, ground, np.zeros((count, 2)))
+    for name, rows in (tables | people | bands).items():
+        core.arrays[name][: len(rows)] = rows
+    core.arrays["ends"][:] = np.inf
+    core.arrays["orders"][:] = -1.0
+    core.arrays["orders"][CHANNELS.index("avoidance"), 0] = 1.0
+    regular = names.emotions.index("regular") if "regular" in names.emotions else 0
+    core.arrays["numbers"][:] = 0, len(bands["leader"]), regular, 0
+    places = [Place(one.name, np.array(one.at), region)
+              for one, region in zip(scenario.points, tables["regions"], strict=True)]  # fmt: skip
+    own = People(**{name: core.arrays[name] for name in People.__slots__})
+    orders = dict(zip(CHANNELS, core.arrays["orders"], strict=True))
+    world = World(scenario, seed, ground, bodies, own, names, places, orders)
+    bodies.place[:] = bodies.target[:] = _begin_at(world)
     bodies.spotted[:] = True
-    bodies.present[:] = ~np.array([group.outside for group in scenario.groups])[people.home]
+    bodies.present[:] = ~np.array([group.outside for group in scenario.groups])[own.home]
     angle = dice.uniform(seed, purpose("facing"), np.arange(count))
     bodies.facing[:, 0] = 2.0 * angle - 1.0
     bodies.facing[:, 1] = np.where(angle < 0.5, 1.0, -1.0) * np.sqrt(1.0 - (2.0 * angle - 1.0) ** 2)
-    things = np.array([one.at for one in scenario.things], np.float64).reshape(-1, 2)
-    acts = list(dict.fromkeys([*ACTS, *(p.act for p in scenario.points if p.act),
-                               *(act for e in scenario.emotions for act in e.acts)]))  # fmt: skip
-    return World(
-        scenario, seed, ground, bodies, people, Orders(count), bands, places, things, np.zeros(len(things), bool), acts
-    )
+    return world
 
 
-def _people(scenario: Scenario, seed: int, count: int) -> People:
-    who = np.arange(count)
-    sizes = [(home, 1 if group.alone else group.people, group.people if group.alone else 1)
-             for home, group in enumerate(scenario.groups)]  # fmt: skip
-    members = [(home, size) for home, size, times in sizes for _ in range(times)]
-    band = np.repeat(np.arange(len(members)), [size for _, size in members])
-    home = np.repeat([h for h, _ in members], [size for _, size in members])
-    pace = np.clip(1.0 + SPREAD * dice.normal(seed, purpose("pace"), who), 1.0 - 2 * SPREAD, 1.0 + 2 * SPREAD)
-    return People(
-        band=band,
-        home=home,
-        emotion=_emotions(scenario, home, seed),
-        pace=pace,
-        value=0.6 + 0.4 * dice.uniform(seed, purpose("value"), who),
-        domination=dice.uniform(seed, purpose("domination"), who),
-        visit=np.full(count, -1),
-        phase=np.full(count, DONE),
-        until=np.zeros(count),
-        leaving=np.zeros(count, bool),
-        posture=np.zeros(count, np.int64),
-        gaze=np.full(count, -1),
-        idle=np.zeros(count, np.int64),
-    )
+def _xy(place: Array) -> tuple[float, float]:
+    return float(place[0]), float(place[1])
 
 
-def _emotions(scenario: Scenario, home: Indices, seed: int) -> Indices:
-    """Return what each feels: of each group so many percent, to one person exactly, as said; the others another."""
-    names = [one.name for one in scenario.emotions]
-    found = np.zeros(len(home), np.int64)
-    for number, group in enumerate(scenario.groups):
-        main = names.index(group.feelings.emotion)
-        members = dice.order(seed, purpose("feeling", number), np.flatnonzero(home == number))
-        most = int(len(members) * group.feelings.percent / 100.0 + 0.5)
-        others = [k for k, name in enumerate(names) if k != main and name != "afraid"]
-        found[members[:most]] = main
-        rest = members[most:]
-        if len(rest) and others:
-            pick = dice.uniform(seed, purpose("other feeling", number), rest)
-            found[rest] = np.array(others)[(pick * len(others)).astype(np.int64)]
-    return found
+def _counts(ground: Ground, tables: Tables, people: int) -> dict[str, int]:
+    """Return how many there are of everything; as many bands may come by splitting as there are people."""
+    rows, cols, reach = ground.near.shape
+    places, things = len(tables["place_middle"]), len(tables["thing_place"])
+    bands, longest = tables["visits"].shape
+    events = tables["rule_rows"][:, 3][tables["rule_rows"][:, 0] == 1]
+    return {
+        "people": people, "rows": rows, "cols": cols, "walls": len(ground.walls), "reach": reach, "places": places,
+        "homes": len(tables["home_flags"]), "bands": bands + people, "visits": longest,
+        "memory": min(int(tables["home_memory"].max()), places + things), "things": things,
+        "emotions": len(tables["speed"]), "likes": len(tables["likes"]), "idle_acts": len(tables["idle_acts"]),
+        "rules": len(tables["rule_rows"]), "actions": len(tables["action_rows"]),
+        "events": int(events.max(initial=-1)) + 1, "spots": len(tables["spots"]), "lattice": len(tables["lattice"]),
+    }  # fmt: skip
 
 
-def _bands(scenario: Scenario, people: People, names: list[str], seed: int) -> list[Band]:
-    homes = [one.name for one in scenario.groups]
-    bands = []
-    for number in range(int(people.band.max()) + 1):
-        members = np.flatnonzero(people.band == number)
-        home = int(people.home[members[0]])
-        group = scenario.groups[home]
-        knows = {names.index(one) for one in (group.knows if group.knows is not None else names)}
-        band = Band(
-            home,
-            leader_of(group, members, people, seed),
-            group,
-            [names.index(one) for one in group.visits],
-            knows,
-            deque(maxlen=group.memory),
-            likes={homes.index(name): value for name, value in group.likes},
-        )
-        if group.follows:
-            band.follows, band.follows_at_times = homes.index(group.follows.group), group.follows.at_times
-            band.follows_until = group.follows.seconds or np.inf
-        bands.append(band)
-    return bands
-
-
-def leader_of(group: Group, members: Indices, people: People, seed: int) -> int:
-    """Return who leads: the highest domination if leaders emerge, one at random, or, if named, the first."""
-    if group.leader == "emerging":
-        return int(members[np.argmax(people.domination[members])])
-    if group.leader == "random":
-        return int(dice.order(seed, purpose("leader"), members)[0])
-    return int(members[0])
-
-
-def _begin_at(scenario: Scenario, ground: Ground, places: list[Place], people: People, seed: int) -> Array:
+def _begin_at(world: World) -> Array:
     """Return where each person begins: in the region asked for, else anywhere, no two on one spot."""
+    scenario, ground, seed = world.scenario, world.ground, world.seed
     wide = int(np.ceil(2.5 * BODY_M / CELL_M))
     stands = ground.clear >= BODY_M
     stands &= (np.indices(stands.shape) % wide == 0).all(axis=0)
     taken = np.zeros_like(stands)
-    found = np.zeros((len(people.home), 2))
+    found = np.zeros((len(world.people.home), 2))
     for number, group in enumerate(scenario.groups):
-        members = np.flatnonzero(people.home == number)
+        members = np.flatnonzero(world.people.home == number)
         free = stands & ~taken
         if group.starts_at:
-            wanted = next(place for place in places if place.name == group.starts_at)
-            free = _nearest_cells(ground, free, wanted, len(members))
+            wanted = world.names.points.index(group.starts_at)
+            free = _nearest_cells(world.distances(wanted), free, len(members))
         row, column = np.nonzero(free)
         if len(row) < len(members):
             raise ClonerError(f"{group.people} people of {group.name} do not fit", "Make the floor larger", group.name)
@@ -281,8 +219,8 @@ def _begin_at(scenario: Scenario, ground: Ground, places: list[Place], people: P
     return found
 
 
-def _nearest_cells(ground: Ground, free: Mask, place: Place, count: int) -> Mask:
-    """Return the cells of a place's region, and as many around it as are needed."""
-    distance = np.where(free, fields.distances(ground, place.corners), np.inf)
+def _nearest_cells(distance: Array, free: Mask, count: int) -> Mask:
+    """Return the cells of a place's region, and as many around it as are needed, of their distances."""
+    distance = np.where(free, distance, np.inf)
     enough = np.sort(distance.ravel())[min(count, distance.size) - 1]
     return np.asarray(np.isfinite(distance) & (distance <= max(float(enough), 0.0)))

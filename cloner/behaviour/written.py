@@ -9,7 +9,6 @@ from typing import Final
 
 import numpy as np
 
-from cloner.behaviour import fields
 from cloner.behaviour.guiding import HOST, Desk, guided, listening
 from cloner.behaviour.language import read_scenario
 from cloner.behaviour.loop import digest, run
@@ -56,12 +55,12 @@ def check_file(path: Path) -> list[str]:
 def _check_ways(world: World, where: str) -> None:
     """Refuse a scenario in which somebody cannot reach a place that is asked of him."""
     row, column = world.ground.cells(world.bodies.place)
-    asked = {k for band in world.bands for k in band.visits}
-    asked |= {k for k, place in enumerate(world.places) for rule in world.scenario.rules for act in rule.actions
-              if act.what == place.name}  # fmt: skip
+    names = [one.name for one in world.places]
+    asked = {names.index(point) for group in world.scenario.groups for point in group.visits}
+    asked |= {names.index(act.what) for rule in world.scenario.rules for act in rule.actions if act.what in names}
     for number in sorted(asked):
         place = world.places[number]
-        distance = fields.distances(world.ground, place.corners)
+        distance = world.distances(number)
         shut = np.flatnonzero(~np.isfinite(distance[row, column]))
         if len(shut):
             name = world.scenario.groups[int(world.people.home[shut[0]])].name

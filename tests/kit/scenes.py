@@ -35,3 +35,9 @@ def of(world: World, name: str) -> np.ndarray:
 def goals(world: World, who: np.ndarray) -> list[str]:
     """Return the name of the place each goes to, "" for none."""
     return [world.places[int(k)].name if k >= 0 else "" for k in world.bodies.goal[who]]
+
+
+def gathered(world: World, place: int) -> np.ndarray:
+    """Return who stands in a place's region."""
+    row, column = world.ground.cells(world.bodies.place)
+    return np.flatnonzero(world.bodies.present & world.places[place].region[row, column])

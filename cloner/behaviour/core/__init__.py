@@ -1,1 +1,1 @@
-"""The core of the walkers: `walkers.wasm`, made of the AssemblyScript here, run alike by Python, node and browsers."""
+"""The engine of crowds: `engine.wasm`, made of the AssemblyScript here, run alike by Python, node and browsers."""

@@ -3,9 +3,11 @@
 import { seed } from "./memory";
 
 const GOLDEN: u64 = 0x9e3779b97f4a7c15;
-/** CRC-32 of the purposes' names: "curve" and "turn". */
-export const CURVE: u64 = 0x57995db7;
-export const TURN: u64 = 0x20201547;
+/** CRC-32 of the purposes' names, in small letters. */
+export const CURVE: u64 = 0x57995db7, TURN: u64 = 0x20201547, IDLE: u64 = 0xdc24b515, VISIT: u64 = 0x437ee939,
+  FOLLOWING: u64 = 0x71bf8de3, TASTE: u64 = 0x69d6de58, AWAY: u64 = 0xa65fa2d1, SPLIT: u64 = 0xb1f59a11,
+  CUTS: u64 = 0xd8b2b13e, LEADER: u64 = 0xf5e3ead7, INTENTION: u64 = 0x5e80ce76, CROWDED: u64 = 0x91d9042a,
+  WHOSE: u64 = 0x090327d1, SPOT: u64 = 0xb9327a73;
 
 function mixed(z: u64): u64 {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;

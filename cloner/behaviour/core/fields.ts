@@ -1,24 +1,15 @@
 // The directions to a place, of the distances over the raster: from each cell as far along the shortest way as is seen.
 
-import { CELL_M, clear, cols, distance, f, fields, i, lowX, lowY, rows, setF, setI, spare, after } from "./memory";
-import { RAY_BODY_M, sees } from "./ground";
+import { CELL_M, after, cols, distance, f, fields, i, lowX, lowY, rows, setF, setI, spare } from "./memory";
+import { cost, findDistances, stands } from "./distances";
+import { sees } from "./ground";
 
-/** A way closer to a wall than this costs up to twice as much: `fields.SHY_M`. */
-const SHY_M: f64 = 0.5;
 const BODY_M: f64 = 0.2;
 /** How far along the shortest way one looks while it stays in sight, in steps. */
 const LOOK = memory.data<i32>([1, 2, 3, 4, 6, 8, 12, 16, 24]);
 const LOOKS: i32 = 9;
 
-// @ts-ignore: decorator
-@inline function price(cell: i32): f64 {
-  return 1.0 + max(min((SHY_M - f(clear, cell)) / (SHY_M - RAY_BODY_M), 1.0), 0.0);
-}
-
-// @ts-ignore: decorator
-@inline function stands(cell: i32): bool { return f(clear, cell) >= RAY_BODY_M; }
-
-/** Find the cell after each one on its shortest way, itself where there is none: sixteen neighbours, as `fields.py`. */
+/** Find the cell after each one on its shortest way, itself where there is none: sixteen neighbours. */
 function findNext(): void {
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < cols; column++) {
@@ -27,14 +18,9 @@ function findNext(): void {
       if (stands(cell) && f(distance, cell) > 0.0) {
         for (let r = -2; r <= 2; r++) {
           for (let c = -2; c <= 2; c++) {
-            const far = r * r + c * c;
-            if (far == 0 || far == 4 || far == 8) continue; // itself, two straight on, two aslant
-            if (row + r < 0 || row + r >= rows || column + c < 0 || column + c >= cols) continue;
-            const other = (row + r) * cols + column + c;
-            if (!stands(other)) continue;
-            const length = CELL_M * sqrt(<f64>far);
-            if (far > 1 && (f(clear, cell) + f(clear, other)) / 2.0 <= length / 2.0 * 0.3) continue; // cuts a corner
-            const total = f(distance, other) + length * (price(cell) + price(other)) / 2.0;
+            const more = cost(cell, r, c);
+            if (more < 0.0) continue;
+            const other = cell + r * cols + c, total = f(distance, other) + more;
             if (total < best) {
               best = total;
               to = other;
@@ -52,9 +38,10 @@ function findNext(): void {
 // @ts-ignore: decorator
 @inline function middleY(cell: i32): f64 { return lowY + (<f64>(cell / cols) + 0.5) * CELL_M; }
 
-/** Find the directions to a place, whose distances the host has put into `distance`. */
+/** Find the directions to a place, whose `regions` the host has filled. */
 export function findWays(place: i32): void {
   const count = rows * cols, field = fields + ((<usize>place * <usize>count) << 4);
+  findDistances(place);
   findNext();
   for (let cell = 0; cell < count; cell++) {
     setF(field, 2 * cell, 0.0);

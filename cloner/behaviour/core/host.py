@@ -1,11 +1,12 @@
-"""The core in Python: its module is run by wasmtime, and its arrays are NumPy's, in the same memory.
+"""The engine in Python: its module is run by wasmtime, and its arrays are NumPy's, in the same memory.
 
-The module (`walkers.wasm`; its source lies beside it, `generic_models/build/build_walkers.py` makes it) imports
-nothing: it can touch no file, clock or network, only its own memory.
+The module (`engine.wasm`; its source lies beside it, `generic_models/build/build_engine.py` makes it) imports nothing:
+it can touch no file, clock or network, only its own memory.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Final
@@ -16,21 +17,55 @@ from wasmtime import Config, Engine, Func, Instance, Memory, Module, Store, Wasm
 
 from cloner.errors import ClonerError
 
-MODULE: Final = Path(__file__).with_name("walkers.wasm")
-#: The core's arrays in the order of `at` in `memory.ts`: what each holds a row, type and width.
-ARRAYS: Final = (
-    ("place", "<f8", 2), ("velocity", "<f8", 2), ("way", "<f8", 2), ("wants", "<f8", 1), ("own_speed", "<f8", 1),
-    ("radius", "<f8", 1), ("target", "<f8", 2), ("facing", "<f8", 2), ("look", "<f8", 2), ("goal", "<i4", 1),
-    ("present", "|b1", 1), ("avoids", "|b1", 1), ("spotted", "|b1", 1), ("settled", "|b1", 1), ("wanders", "|b1", 1),
-    ("looks", "|b1", 1), ("clear", "<f8", 1), ("walls", "<f8", 4), ("near", "<i4", 1), ("fields", "<f8", 2),
-    ("regions", "|b1", 1), ("others", "<i4", 16), ("direct", "|b1", 1), ("slow", "<i4", 1), ("distance", "<f8", 1),
+MODULE: Final = Path(__file__).with_name("engine.wasm")
+#: How many there are of everything, in the order of `counts()` (core/memory.ts, core/minds/state.ts).
+COUNTS: Final = (
+    "people", "rows", "cols", "walls", "reach", "places", "homes", "bands", "visits", "memory", "things", "emotions",
+    "likes", "idle_acts", "rules", "actions", "events", "spots", "lattice",
 )  # fmt: skip
-#: A module's memory ends at 4 GiB; a person takes 450 bytes, a cell 310 and 17 a place, walls 32.
+#: The arrays that the module lends, in the order of `lend`: name, type, shape. Ends of lists have one row more.
+ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
+    ("place", "<f8", ("people", 2)), ("velocity", "<f8", ("people", 2)), ("way", "<f8", ("people", 2)),
+    ("wants", "<f8", ("people",)), ("own_speed", "<f8", ("people",)), ("radius", "<f8", ("people",)),
+    ("target", "<f8", ("people", 2)), ("facing", "<f8", ("people", 2)), ("look", "<f8", ("people", 2)),
+    ("goal", "<i4", ("people",)), ("present", "|b1", ("people",)), ("avoids", "|b1", ("people",)),
+    ("spotted", "|b1", ("people",)), ("settled", "|b1", ("people",)), ("direct", "|b1", ("people",)),
+    ("wanders", "|b1", ("people",)), ("looks", "|b1", ("people",)), ("slow", "<i4", ("people",)),
+    ("others", "<i4", ("people", 16)),
+    ("clear", "<f8", ("rows", "cols")), ("distance", "<f8", ("rows", "cols")),
+    ("near", "<i4", ("rows", "cols", "reach")), ("walls", "<f8", ("walls", 4)),
+    ("fields", "<f8", ("places", "rows", "cols", 2)), ("regions", "|b1", ("places", "rows", "cols")),
+    ("band", "<i4", ("people",)), ("home", "<i4", ("people",)), ("emotion", "<i4", ("people",)),
+    ("value", "<f8", ("people",)), ("vigour", "<f8", ("people",)), ("domination", "<f8", ("people",)),
+    ("visited", "<i4", ("people",)), ("phase", "<i4", ("people",)), ("until", "<f8", ("people",)),
+    ("leaving", "|b1", ("people",)), ("posture", "<i4", ("people",)), ("gaze", "<i4", ("people",)),
+    ("idle", "<i4", ("people",)), ("orders", "<f8", (5, 4, "people")), ("ends", "<f8", (5, 4, "people")),
+    ("band_home", "<i4", ("bands",)), ("leader", "<i4", ("bands",)), ("follows", "<i4", ("bands",)),
+    ("follows_until", "<f8", ("bands",)), ("at_times", "|b1", ("bands",)), ("visit_count", "<i4", ("bands",)),
+    ("visits", "<i4", ("bands", "visits")), ("knows", "|b1", ("bands", "places")),
+    ("memory_count", "<i4", ("bands",)), ("memory_time", "<f8", ("bands", "memory")),
+    ("memory_name", "<i4", ("bands", "memory")),
+    ("home_flags", "<i4", ("homes",)), ("home_leads", "<i4", ("homes",)), ("home_memory", "<i4", ("homes",)),
+    ("likes_first", "<i4", ("homes+",)), ("likes", "<i4", ("likes",)),
+    ("thing_place", "<f8", ("things", 2)), ("awake", "|b1", ("things",)),
+    ("speed", "<f8", ("emotions",)), ("idle_first", "<i4", ("emotions+",)), ("idle_acts", "<i4", ("idle_acts",)),
+    ("place_middle", "<f8", ("places", 2)), ("place_low", "<f8", ("places", 2)), ("place_high", "<f8", ("places", 2)),
+    ("place_counter", "<f8", ("places", 2)), ("place_seconds", "<f8", ("places",)), ("place_act", "<i4", ("places",)),
+    ("place_holds", "<i4", ("places",)), ("place_look", "<i4", ("places",)),
+    ("spot_first", "<i4", ("places+",)), ("spots", "<f8", ("spots", 2)), ("spots_nearest", "<i4", ("spots",)),
+    ("lattice_first", "<i4", ("places+",)), ("lattice_wide", "<i4", ("places",)),
+    ("lattice_low", "<f8", ("places", 2)), ("lattice", "<i4", ("lattice",)),
+    ("rule_rows", "<i4", ("rules", 8)), ("rule_seconds", "<f8", ("rules",)),
+    ("action_rows", "<i4", ("actions", 5)), ("action_seconds", "<f8", ("actions",)),
+    ("told", "<f8", ("told", 4)), ("numbers", "<i4", (4,)),
+)  # fmt: skip
+#: A module's memory ends at 4 GiB. What it does not lend takes so many bytes a cell and a person.
 _LARGEST_BYTES: Final = 4_000_000_000
+_CELL_BYTES, _PERSON_BYTES = 292, 260
 
 
 class _Lent:
-    """A part of the core's memory for NumPy; who holds the array holds the memory."""
+    """A part of the engine's memory for NumPy; who holds the array holds the memory."""
 
     def __init__(self, core: Core, address: int, shape: tuple[int, ...], kind: str) -> None:
         self._core = core
@@ -42,15 +77,20 @@ class Core:
 
     Parameters
     ----------
-    people, places, walls : int
-    cells : (rows, cols)
-    reach : int
-        How many walls the list of a cell holds.
+    counts : mapping
+        How many there are of what `COUNTS` names; none of what is not told.
     low : (2,) metres
         The raster's corner.
     period_m : float
         > 0: the world repeats along x.
     seed : int
+
+    Attributes
+    ----------
+    arrays : dict
+        `ARRAYS` by name, in the engine's own memory.
+    begun : dict
+        What it was made with, as JSON can hold it.
 
     Raises
     ------
@@ -59,45 +99,47 @@ class Core:
     """
 
     def __init__(
-        self, *, people: int, places: int, walls: int, cells: tuple[int, int], reach: int, low: tuple[float, float],
-        period_m: float, seed: int,
-    ) -> None:  # fmt: skip
-        area = cells[0] * cells[1]
-        if people * 450 + area * (310 + 4 * reach + 17 * places) + walls * 32 > _LARGEST_BYTES:
+        self, counts: Mapping[str, int], low: tuple[float, float], *, period_m: float = 0.0, seed: int = 0
+    ) -> None:
+        self.begun = {"counts": [int(counts.get(name, 0)) for name in COUNTS], "low": list(low),
+                      "period_m": period_m, "seed": str(seed)}  # fmt: skip
+        shapes = shapes_of(counts)
+        lent = sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
+        cells = counts["rows"] * counts["cols"]
+        if lent + cells * _CELL_BYTES + counts["people"] * _PERSON_BYTES > _LARGEST_BYTES:
             raise ClonerError(
                 "the floor is too large for so many points", "Make it smaller, or take points away", "floor"
             )
         engine, module = _module()
         self._store = Store(engine)
+        self.arrays: dict[str, NDArray[Any]] = {}
         seed = (seed + (1 << 63)) % (1 << 64) - (1 << 63)  # as the signed number that passes
         try:
             self._exports: Any = Instance(self._store, module, []).exports(self._store)
+            memory: Memory = self._exports["memory"]
+            counted = np.array(self.begun["counts"], "<i4").tobytes()
+            memory.write(self._store, counted, self._exports["counts"](self._store))
             begin: Func = self._exports["begin"]
-            begin(self._store, people, *cells, walls, reach, places, *low, period_m, seed)
+            begin(self._store, *low, period_m, seed)
         except WasmtimeError as error:
             raise ClonerError("there is not memory enough for the crowd", "Close other programs", "crowd") from error
-        counts = {"clear": area, "distance": area, "near": area * reach, "walls": walls, "fields": places * area,
-                  "regions": places * area}  # fmt: skip
-        memory: Memory = self._exports["memory"]
         base = _address(memory, self._store)
-        self.arrays: dict[str, NDArray[Any]] = {}
-        for number, (name, kind, width) in enumerate(ARRAYS):
-            count = counts.get(name, people)
-            shape = (count,) if width == 1 else (count, width)
+        for number, (name, (kind, shape)) in enumerate(shapes.items()):
             at = base + (self._exports["at"](self._store, number) & 0xFFFFFFFF)
             self.arrays[name] = np.asarray(_Lent(self, at, shape, kind))
 
-    def ready(self) -> None:
-        """Cast the rays over the raster, when `clear`, `walls` and `near` are filled."""
-        self._exports["ready"](self._store)
+    def call(self, name: str, *values: float) -> Any:
+        """Call what the module exports (core/engine.ts): ready, lead, step, live, guide, come, depart, freeGuest."""
+        return self._exports[name](self._store, *values)
 
-    def lead(self, place: int) -> None:
-        """Find the directions to a place, when `distance` is filled."""
-        self._exports["lead"](self._store, place)
 
-    def step(self) -> None:
-        """Let a step pass."""
-        self._exports["step"](self._store)
+def shapes_of(counts: Mapping[str, int]) -> dict[str, tuple[str, tuple[int, ...]]]:
+    """Return type and shape of each of `ARRAYS` for so many of everything."""
+    known = {name: counts.get(name, 0) for name in COUNTS}
+    known |= {f"{name}+": known[name] + 1 for name in ("homes", "emotions", "places")}
+    known["told"] = 4 * known["people"] + 1024
+    return {name: (kind, tuple(known[one] if isinstance(one, str) else one for one in shape))
+            for name, kind, shape in ARRAYS}  # fmt: skip
 
 
 def _address(memory: Memory, store: Store) -> int:
@@ -109,6 +151,6 @@ def _address(memory: Memory, store: Store) -> int:
 @lru_cache(maxsize=1)
 def _module() -> tuple[Engine, Module]:
     config = Config()
-    config.parallel_compilation = False  # 15 kB: no threads for so little
+    config.parallel_compilation = False  # 40 kB: no threads for so little
     engine = Engine(config)
     return engine, Module(engine, MODULE.read_bytes())

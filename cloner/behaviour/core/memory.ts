@@ -1,6 +1,8 @@
-// The arrays of the core, one after the other in the module's memory. A host asks `at(kind)` where one lies.
+// The arrays of the core, one after the other in the module's memory.
 //
-// Metres, seconds, radians; f64 unless told; pairs are x, y. n people, c = rows x cols cells, p places.
+// A host writes how many there are of everything at `counts()`, calls `begin`, and asks `at(k)` where the k-th of the
+// arrays that are lent lies: `host.py` has the list. Metres, seconds, radians; f64 unless told; pairs are x, y.
+// n people, c = rows x cols cells, p places.
 
 export const NEAREST: i32 = 16;
 export const DIRECTIONS: i32 = 64;
@@ -16,6 +18,7 @@ export let people: i32 = 0;
 export let rows: i32 = 0;
 export let cols: i32 = 0;
 export let reach: i32 = 0; // walls a cell's list holds
+export let places: i32 = 0;
 export let lowX: f64 = 0;
 export let lowY: f64 = 0;
 export let period: f64 = 0; // > 0: the world repeats along x
@@ -52,13 +55,23 @@ export let fields: usize = 0; // p x c x 2, direction to walk to a place
 export let regions: usize = 0; // p x c, u8: cells of a place's region
 export let free: usize = 0; // c x 64, f32: how far a body gets
 export let moved: usize = 0; // n x 2, places before this step's bodies moved apart
-export let distance: usize = 0; // c, to the place whose ways are looked for; written by the host
+export let distance: usize = 0; // c, to the place whose ways are looked for
 export let after: usize = 0; // c, i32: the next cell on the way there
 export let spare: usize = 0; // c x 2
 export let others: usize = 0; // n x 16, i32: the nearest, then -1
 export let here: usize = 0; // n, i32: who is there
 
 let top: usize = 0;
+let lent: i32 = 0;
+const LENT = memory.data(80 * 4);
+const COUNTS = memory.data(24 * 4);
+
+/** Where a host writes, as i32, how many there are: of what, `count` tells. */
+export function counts(): usize { return COUNTS; }
+
+/** How many there are: 0 people, 1 rows and 2 columns of cells, 3 walls, 4 walls a cell's list holds, 5 places; what
+ *  follows is of `minds/state.ts`. */
+export function count(kind: i32): i32 { return i(COUNTS, kind); }
 
 /** Take bytes of the memory; they are zero. */
 export function take(bytes: usize): usize {
@@ -70,61 +83,34 @@ export function take(bytes: usize): usize {
   return found;
 }
 
-/** Take all arrays. `wallCount` walls, at most `reachCount` near a cell, `placeCount` places. Called once. */
-export function arrange(
-  peopleCount: i32, rowCount: i32, colCount: i32, wallCount: i32, reachCount: i32, placeCount: i32,
-  x: f64, y: f64, periodM: f64, number: u64,
-): void {
-  people = peopleCount; rows = rowCount; cols = colCount; reach = reachCount;
+/** Take an array that hosts may read and write. */
+export function lend(bytes: usize): usize {
+  const found = take(bytes);
+  setI(LENT, lent++, <i32>found);
+  return found;
+}
+
+/** Take all arrays of bodies and ground. Called once. */
+export function arrange(x: f64, y: f64, periodM: f64, number: u64): void {
+  people = count(0); rows = count(1); cols = count(2); reach = count(4); places = count(5);
   lowX = x; lowY = y; period = periodM; seed = number;
-  const n = <usize>people, c = <usize>rows * <usize>cols;
-  place = take(n * 16); velocity = take(n * 16); heading = take(n * 16); pace = take(n * 8);
-  way = take(n * 16); wants = take(n * 8); own = take(n * 8); ahead = take(n * 8); radius = take(n * 8);
-  target = take(n * 16); curve = take(n * 32); facing = take(n * 16); turn = take(n * 8); look = take(n * 16);
-  goal = take(n * 4); slow = take(n * 4);
-  present = take(n); avoids = take(n); spotted = take(n); settled = take(n); direct = take(n);
-  wanders = take(n); looks = take(n);
-  clear = take(c * 8); walls = take(<usize>wallCount * 32); near = take(c * <usize>reach * 4);
-  fields = take(<usize>placeCount * c * 16); regions = take(<usize>placeCount * c);
-  free = take(c * 256);
-  distance = take(c * 8); after = take(c * 4); spare = take(c * 16);
-  moved = take(n * 16); others = take(n * <usize>NEAREST * 4); here = take(n * 4);
+  const n = <usize>people, c = <usize>rows * <usize>cols, p = <usize>places;
+  place = lend(n * 16); velocity = lend(n * 16); way = lend(n * 16); wants = lend(n * 8); own = lend(n * 8);
+  radius = lend(n * 8); target = lend(n * 16); facing = lend(n * 16); look = lend(n * 16); goal = lend(n * 4);
+  present = lend(n); avoids = lend(n); spotted = lend(n); settled = lend(n); direct = lend(n);
+  wanders = lend(n); looks = lend(n); slow = lend(n * 4); others = lend(n * <usize>NEAREST * 4);
+  clear = lend(c * 8); distance = lend(c * 8); near = lend(c * <usize>reach * 4); walls = lend(<usize>count(3) * 32);
+  fields = lend(p * c * 16); regions = lend(p * c);
+  heading = take(n * 16); pace = take(n * 8); ahead = take(n * 8); curve = take(n * 32); turn = take(n * 8);
+  moved = take(n * 16); here = take(n * 4);
+  free = take(c * 256); after = take(c * 4); spare = take(c * 16);
 }
 
 /** Count a step. */
 export function tick(): void { steps++; }
 
-/** Where an array lies, by its place in the hosts' lists. */
-export function at(kind: i32): usize {
-  switch (kind) {
-    case 0: return place;
-    case 1: return velocity;
-    case 2: return way;
-    case 3: return wants;
-    case 4: return own;
-    case 5: return radius;
-    case 6: return target;
-    case 7: return facing;
-    case 8: return look;
-    case 9: return goal;
-    case 10: return present;
-    case 11: return avoids;
-    case 12: return spotted;
-    case 13: return settled;
-    case 14: return wanders;
-    case 15: return looks;
-    case 16: return clear;
-    case 17: return walls;
-    case 18: return near;
-    case 19: return fields;
-    case 20: return regions;
-    case 21: return others;
-    case 22: return direct;
-    case 23: return slow;
-    case 24: return distance;
-    default: return 0;
-  }
-}
+/** Where the k-th array that is lent lies. */
+export function at(kind: i32): usize { return <usize>i(LENT, kind); }
 
 // One number of an array of f64, i32 or u8.
 // @ts-ignore: decorator

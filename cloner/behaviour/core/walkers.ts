@@ -2,20 +2,15 @@
 //
 // Fixed steps of .05 s; half of the people choose anew in each: nobody mirrors the one who comes towards them. f64 with
 // + - * / and square roots only, which every engine of WebAssembly rounds alike: the same input gives the same bits.
-// A host calls `begin`, fills `clear`, `walls`, `near`, calls `ready`; before somebody goes to a place it fills `distance`
-// and the place's `regions` and calls `lead`; it sets people's rows, and calls `step`.
 
 import {
-  NEAREST, STEP_S, arrange, at, f, heading, here, i, is, moved, others, own, pace, people, period, place, present, setF,
+  NEAREST, STEP_S, arrange, f, heading, here, i, is, moved, others, own, pace, people, period, place, present, setF,
   setI, steps, tick, velocity, way, wrapped,
 } from "./memory";
-import { castRays, offWalls } from "./ground";
-import { arrangeGrid, findNearest } from "./nearby";
-import { findWays } from "./fields";
-import { choose, least, passes, spreadFan } from "./steering";
+import { offWalls } from "./ground";
+import { findNearest } from "./nearby";
+import { choose, least, passes } from "./steering";
 import { takeWays, turnBodies } from "./goals";
-
-export { at };
 
 /** Time in which a person comes to the speed that was chosen; Helbing, Molnar 1995 have .5 s. */
 const RELAX_S: f64 = 0.5;
@@ -30,19 +25,6 @@ const ASIDE: f64 = 0.5;
 const TOUCHING: i32 = 8; // neighbours that can touch a body of .2 m at once
 
 let known: i32 = -1; // how many people the table of neighbours is of
-
-export function begin(
-  peopleCount: i32, rowCount: i32, colCount: i32, wallCount: i32, reachCount: i32, placeCount: i32,
-  x: f64, y: f64, periodM: f64, seed: u64,
-): void {
-  arrange(peopleCount, rowCount, colCount, wallCount, reachCount, placeCount, x, y, periodM, seed);
-  arrangeGrid();
-  spreadFan();
-}
-
-export function ready(): void { castRays(); }
-
-export function lead(place: i32): void { findWays(place); }
 
 /** Let .05 s pass. */
 export function step(): void {

@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.behaviour.together.guests import free_guest, leave, receive
+from cloner.behaviour.guests import free_guest, leave, receive
 from cloner.behaviour.world import World
 
 #: X and Z in the page's frame, metres, and the heading of the eye.

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.acting.walkers import SEEN_S, Track, Walker
+from cloner.behaviour.guests import guests
 from cloner.behaviour.loop import run
 from cloner.behaviour.trajectories import RATE_HZ, STEPS
 from cloner.behaviour.world import World
@@ -106,7 +107,7 @@ class Minds:
 
     def over(self) -> bool:
         """Return whether nobody is there any more, but for guests."""
-        return int(self.world.bodies.present.sum()) == len(self.world.guests)
+        return int(self.world.bodies.present.sum()) == guests(self.world)
 
     def _frame(self) -> int:
         return self.world.steps // STEPS

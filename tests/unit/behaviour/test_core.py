@@ -1,10 +1,11 @@
-"""The core is what its source says, and gives the same bits in Python, node and Chromium."""
+"""The engine is what its source says, and gives the same bits in Python, node and Chromium."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 import os
+import re
 import shutil
 from pathlib import Path
 
@@ -14,16 +15,16 @@ import pytest
 from cloner.behaviour import dice
 from cloner.behaviour.core.host import MODULE, Core
 from cloner.behaviour.ground import box, ground_of
-from cloner.behaviour.language import read_text
-from cloner.behaviour.loop import digest, step
+from cloner.behaviour.language import read_actions, read_text
+from cloner.behaviour.loop import digest, guide, step
 from cloner.behaviour.walking import GIVEN, bodies_on, walk
 from cloner.behaviour.world import world_of
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
-from kit.core_log import CoreLog, in_node, kept_places, page
+from kit.engine_log import in_node, kept_places, log_of, page
 from kit.scripts import script
 
-BUILD = script("build_walkers")
+BUILD = script("build_engine")
 PACKAGES = Path(os.environ.get("CLONER_NODE_MODULES", "/nowhere"))
 STEPS, EVERY = 10_000, 1_000
 #: Everything that moves people: curves, fields, flocking, wanderers, a counter, other orders on the way, who leaves.
@@ -48,25 +49,64 @@ at 200 s: late leaves by door
 """
 
 
-@pytest.fixture(scope="module")
-def played() -> tuple[str, list[bytes], str]:
+#: And minds: who joins, emerges as leader, follows, gathers, is cleared away, splits, sees, flees, is guided; counters.
+MINDS = """
+floor 0, 0 to 24, 12
+obstacle pillar at 9, 6 size 1 x 1
+statue lion at 18, 9
+point door at 1, 6 region 1 x 4
+point till at 6, 1 region 3 x 2 act pay for 2 s one at a time
+point front at 17, 7 region 4 x 3 act look for 3 s look at lion
+point far at 22.5, 2 region 2 x 2
+crowd 12 guests: emotion happy 80 %, likes school 0.8, starts at door
+group school: 8 people, leader emerging, flocking, adapts to space, starts at front
+group guards: 4 people, visits door > far again, follows school at times, memory 3
+crowd 9 others: starts at far
+at 20 s: clear front for 12 s
+at 60 s: others gather at till for 9 s
+at 90 s: lion awakens, split school into 3
+when anybody sees lion awake: they become afraid, they run to door, they do point for 3 s
+when guards sees anybody afraid: they look at lion for 5 s
+when school reaches far: event there
+when event there: others follow guards for 20 s
+at 200 s: lion sleeps, everybody becomes calm
+"""
+ORDERS = {
+    400: "others go to door",
+    900: "others is free",
+    2000: "everybody goes to far",
+    2600: "everybody is free",
+    5000: "split guards into 2",
+}
+
+
+@pytest.fixture(scope="module", params=["bodies", "minds"])
+def played(request: pytest.FixtureRequest) -> tuple[str, list[bytes], str]:
     """Give the log of a scenario of 10,000 steps, its places at every thousandth, and the digest."""
-    world = world_of(read_text(BUSY), 7)
-    log = CoreLog(world.bodies, world.ground, places=len(world.places), seed=7)
-    kept = []
-    for number in range(1, STEPS + 1):
+    busy = request.param == "bodies"
+    world = world_of(read_text(BUSY if busy else MINDS), 7)
+    texts = {} if busy else ORDERS
+    rows = [(at, (*world.names.row_of(one), one.seconds)) for at, text in texts.items()
+            for one in read_actions(text, world.scenario)]  # fmt: skip
+    log, kept = log_of(world, STEPS, EVERY, rows), []
+    for number in range(STEPS):
+        if number in texts:
+            guide(world, texts[number])
         step(world)
-        if number % EVERY == 0:
+        if (number + 1) % EVERY == 0:
             kept.append(world.bodies.place.tobytes())
     assert len(set(kept)) == len(kept), "people are on their way to the end"
-    assert not world.bodies.present.all(), "some have left"
-    return log.written(EVERY), kept, digest(world)
+    assert busy or {"awakens", "sleeps", "joined", "splits", "free", "event"} <= {
+        word for _, text in world.told for word in text.split()
+    }
+    assert world.bodies.present.all() != busy, "some of the busy have left"
+    return log, kept, digest(world)
 
 
 def test_the_module_is_what_its_provenance_says() -> None:
     told = json.loads(MODULE.with_name("PROVENANCE.json").read_text(encoding="utf-8"))[0]
     assert told["sha256"] == hashlib.sha256(MODULE.read_bytes()).hexdigest()
-    assert told["source"] == BUILD.source_digests(), "generic_models/build/build_walkers.py was not run"
+    assert told["source"] == BUILD.source_digests(), "generic_models/build/build_engine.py was not run"
 
 
 @pytest.mark.skipif(not (PACKAGES / "node_modules" / "assemblyscript").is_dir(), reason="no AssemblyScript here")
@@ -92,14 +132,24 @@ def test_a_page_walks_as_python_does(played: tuple[str, list[bytes], str], tmp_p
         assert not shown.complaints()
 
 
-def test_a_changed_seed_or_log_walks_otherwise(played: tuple[str, list[bytes], str], tmp_path: Path) -> None:
+def test_a_changed_seed_or_order_walks_otherwise(played: tuple[str, list[bytes], str], tmp_path: Path) -> None:
     if shutil.which("node") is None:
         pytest.skip("no node on this machine")
     log = json.loads(played[0]) | {"steps": 2 * EVERY}
-    log["changes"] = [one for one in log["changes"] if one[0] < 2 * EVERY]
     assert kept_places(in_node(json.dumps(log), tmp_path)) == played[1][:2]
-    other = kept_places(in_node(json.dumps(log | {"seed": "8"}), tmp_path))
-    assert other[0] != played[1][0], "curves and wanderers are of the seed"
+    told = log["told"] | {"seed": "8"}
+    other = kept_places(in_node(json.dumps(log | {"told": told}), tmp_path))
+    assert other[0] != played[1][0], "curves, wanderers and choices are of the seed"
+    if log["orders"]:
+        other = kept_places(in_node(json.dumps(log | {"orders": []}), tmp_path))
+        assert other[0] != played[1][0]
+
+
+def test_the_numbers_of_purposes_are_those_of_their_names() -> None:
+    text = (MODULE.parent / "dice.ts").read_text(encoding="utf-8")
+    told = re.findall(r"([A-Z]+): u64 = (0x[0-9a-f]{8})[,;]", text)
+    assert len(told) == 14
+    assert all(dice.purpose(name.lower()) >> 32 == int(number, 16) for name, number in told)
 
 
 def test_the_way_of_a_ring_and_of_a_plane_are_one_where_nobody_crosses_the_seam() -> None:
@@ -124,4 +174,4 @@ def test_rows_outlive_their_world() -> None:
 
 def test_a_world_larger_than_a_module_can_hold_is_a_sentence() -> None:
     with pytest.raises(ClonerError, match="too large for so many points"):
-        Core(people=1, places=60, walls=4, cells=(2000, 2000), reach=2, low=(0, 0), period_m=0.0, seed=0)
+        Core({"people": 1, "places": 60, "walls": 4, "rows": 2000, "cols": 2000, "reach": 2}, (0.0, 0.0))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from cloner.behaviour.guests import free_guest, leave, receive
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import run, step
-from cloner.behaviour.together.guests import free_guest, leave, receive
 from cloner.behaviour.world import World, world_of
 
 HALL = """floor 0, 0 to 16, 6
@@ -63,13 +63,13 @@ def test_a_guest_walks_between_what_is_told_and_through_no_wall() -> None:
 def test_they_are_seen_and_reacted_to_and_gone_when_they_leave() -> None:
     rules = "when anybody sees guests: they do wave for 60 s\nat 1 s: everybody goes to right\n"
     world = world_of(read_text(HALL + GUESTS + rules), seed=3)
-    assert going("", 3.0, world).orders.rows["posture"][2, 0] < 0
+    assert going("", 3.0, world).orders["posture"][2, 0] < 0
     who = free_guest(world)
     place = world.bodies.place[WALKERS].mean(axis=0) + (3.0, 0.0)
     receive(world, who, tuple(place), (-1.0, 0.0))
     going("", 1.0, world)
     wave = world.acts.index("wave")
-    assert (world.orders.rows["posture"][2, WALKERS] == wave).all()
+    assert (world.orders["posture"][2, WALKERS] == wave).all()
     assert world.bodies.place[who].tolist() == place.tolist(), "an order to everybody does not move a guest"
     leave(world, who)
     going("", 1.0, world)

@@ -7,10 +7,9 @@ import pytest
 
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide, step
-from cloner.behaviour.together.adaptability import APART_M, blocked
-from cloner.behaviour.together.attraction import gathered
-from cloner.behaviour.world import ACTING, WAITING, world_of
-from kit.scenes import goals, of, pass_time, scene
+from cloner.behaviour.tables import APART_M, PHASES
+from cloner.behaviour.world import world_of
+from kit.scenes import gathered, goals, of, pass_time, scene
 
 
 def left_behind(words: str) -> int:
@@ -178,15 +177,19 @@ def test_safe_wandering_turns_away_before_and_back_after() -> None:
     assert met("at 0 s: everybody ignores others\n")[0] < 0.05
 
 
-def test_a_spot_is_free_if_nobody_goes_within_half_a_step_of_it() -> None:
-    chance = np.random.default_rng(1)
-    for _ in range(100):
-        spots = np.stack(np.meshgrid(*(np.arange(n) for n in chance.integers(1, 9, 2))), -1).reshape(-1, 2) * APART_M
-        spots = spots[chance.random(len(spots)) < 0.7] + chance.uniform(-5, 5, 2)
-        if len(spots):
-            taken = spots.min(axis=0) + chance.uniform(-2, 7, (chance.integers(1, 40), 2))
-            away = np.linalg.norm(spots[:, None] - taken, axis=2).min(axis=1)
-            assert np.array_equal(blocked(spots, taken), away <= APART_M / 2)
+def test_nobody_is_sent_to_a_spot_within_half_a_step_of_anothers() -> None:
+    text = "point stage at 12, 4 region 5 x 5\n"
+    for k, words in enumerate(("", ", adapts to space", "", ", adapts to space")):
+        text += f"group some{k}: 9 people, visits stage, starts at west{words}\n"
+    world = scene(text)
+    for number, late in enumerate(("", "some0 goes to east", "some2 goes to east", "some0 goes to stage")):
+        if late:
+            guide(world, late)
+        pass_time(world, 0.5)
+        target = world.bodies.target[world.bodies.goal == 3]
+        away = np.linalg.norm(target[:, None] - target[None], axis=2)[np.triu_indices(len(target), 1)]
+        assert len(target) == (36, 27, 18, 27)[number]
+        assert away.min() > 0.99 * APART_M
 
 
 def test_wanderers_keep_off_the_walls_and_each_other() -> None:
@@ -229,11 +232,11 @@ def test_a_counter_serves_one_at_a_time_and_everybody_in_turn() -> None:
     till, served = len(world.places) - 1, set()
     for _ in range(560):
         step(world)
-        now = np.flatnonzero((world.people.phase == ACTING) & (world.bodies.goal == till))
+        now = np.flatnonzero((world.people.phase == PHASES.index("acting")) & (world.bodies.goal == till))
         assert len(now) <= 1
         served |= set(now.tolist())
     assert len(served) == 4
-    assert not ((world.people.phase == WAITING) & (world.bodies.goal == till)).any()
+    assert not ((world.people.phase == PHASES.index("waiting")) & (world.bodies.goal == till)).any()
 
 
 def test_feelings_set_the_speed_and_share_is_exact() -> None:
@@ -242,7 +245,7 @@ def test_feelings_set_the_speed_and_share_is_exact() -> None:
     sad = world.people.emotion == names.index("sad")
     assert int(sad.sum()) == 30
     world.people.value[:] = 1.0
-    world.people.pace[:] = 1.0
+    world.people.vigour[:] = 1.0
     pass_time(world, 0.1)
     assert np.allclose(world.bodies.own_speed[sad], 0.87)
     guide(world, "everybody becomes explosive")

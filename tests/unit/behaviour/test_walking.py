@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import dijkstra
 
-from cloner.behaviour import dice, fields
+from cloner.behaviour import dice
 from cloner.behaviour.ground import BODY_M, Ground, box, ground_of, inside
+from cloner.behaviour.language import read_text
+from cloner.behaviour.loop import step
 from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
+from cloner.behaviour.world import world_of
 from kit.scripts import script
 
 WORLDS = script("behaviour_worlds")
@@ -34,10 +39,16 @@ def test_walls_of_overlapping_floors_are_those_around_all() -> None:
     assert ground.clear[row[0], column[0]] == pytest.approx(min(middle[1], 4 - middle[1], abs(middle[0] - 3.5)))
 
 
-def test_sight_ends_at_walls() -> None:
-    ground = ground_of([box((5, 5), (10, 10))], [box((5, 5), (1, 6))])
-    ways = ground.sees(np.array([[2.0, 5.0], [2.0, 9.5], [2.0, 5.0]]), np.array([[8.0, 5.0], [8.0, 9.5], [4.0, 5.0]]))
-    assert ways.tolist() == [False, True, True]
+@pytest.mark.parametrize(("obstacle", "facing", "seen"), [
+    ("", 1.0, True), ("", -1.0, False), ("obstacle wall at 4, 4 size .4 x 7\n", 1.0, False),
+    ("obstacle wall at 4, 6 size .4 x 3\n", 1.0, True), ("obstacle plinth at 7, 4 size 1 x 1\n", 1.0, True),
+])  # fmt: skip
+def test_sight_goes_forward_and_ends_at_walls_but_not_at_a_plinth(obstacle: str, facing: float, seen: bool) -> None:
+    text = f"floor 0, 0 to 20, 8\n{obstacle}statue lion at 7, 4\ngroup one: 1 people, wanders\n"
+    world = world_of(read_text(text), 1)
+    world.bodies.place[:], world.bodies.facing[:] = (2.0, 4.0), (facing, 0.0)
+    step(world)
+    assert [name for _, name in world.bands[0].memory] == ["lion"] * seen
 
 
 def test_inside_of_a_corner_polygon() -> None:
@@ -53,16 +64,46 @@ def test_inside_of_a_corner_polygon() -> None:
 def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
     ground = ground_of([box((10, 5), (20, 10))], [box((10, 3.5), (1, 7))])
     goal = box((18, 2), (1, 1))
-    distance = fields.distances(ground, goal)
+    lost = bodies_at(ground, [[2.0, 2.0]], (0.0, 0.0), places=1)
+    lost.lead(0, ground.region(goal))
+    distance = lost.core.arrays["distance"]
     row, column = ground.cells(np.array([[2.0, 2.0]]))
     straight = np.hypot(10 - 0.5 - 2, 5) + 1 + np.hypot(18 - 0.5 - 10.5, 4.5)  # by the corners at y = 7
     assert straight < distance[row[0], column[0]] < 1.25 * straight  # walls cost more, sixteen directions 2.7 %
-    lost = bodies_at(ground, [[2.0, 2.0]], (0.0, 0.0), places=1)
-    lost.lead(0, distance, fields.region_cells(ground, goal))
-    way = lost.core.arrays["fields"].reshape(*distance.shape, 2)[row[0], column[0]]
+    way = lost.core.arrays["fields"][0, row[0], column[0]]
     assert way @ np.array([7.5, 5.2]) / np.hypot(7.5, 5.2) > np.cos(np.radians(12))
     shut = ground_of([box((2, 2), (4, 4)), box((9, 2), (4, 4))])
-    assert np.isinf(fields.distances(shut, box((9, 2), (1, 1)))[shut.cells(np.array([[2.0, 2.0]]))]).all()
+    inside_one = bodies_at(shut, [[2.0, 2.0]], (0.0, 0.0), places=1)
+    inside_one.lead(0, shut.region(box((9, 2), (1, 1))))
+    assert np.isinf(inside_one.core.arrays["distance"][shut.cells(np.array([[2.0, 2.0]]))]).all()
+
+
+def test_distances_are_the_least_sums_over_sixteen_neighbours() -> None:
+    """Another's search over the same moves and prices finds the same, to the last bit."""
+    chance = np.random.default_rng(4)
+    posts = [box(one, (0.9, 0.9)) for one in chance.uniform(1, 9, (9, 2))]
+    ground = ground_of([box((5, 5), (10, 10))], posts)
+    people = bodies_at(ground, [[0.5, 0.5]], (0.0, 0.0), places=1)
+    region = ground.region(box((9.4, 9.4), (0.6, 0.6)))
+    people.lead(0, region)
+    rows, cols = ground.clear.shape
+    price = 1.0 + np.clip((0.5 - ground.clear) / (0.5 - 0.15), 0.0, 1.0)
+    stands = ground.clear >= 0.15
+    moves = [(r, c) for r in range(-2, 3) for c in range(-2, 3) if r * r + c * c in (1, 2, 5)]
+    edges = {}
+    for row, column in np.argwhere(stands):
+        for r, c in moves:
+            to = row + r, column + c
+            if not (0 <= to[0] < rows and 0 <= to[1] < cols and stands[to]):
+                continue
+            length = 0.2 * np.sqrt(float(r * r + c * c))
+            if abs(r) + abs(c) > 1 and (ground.clear[row, column] + ground.clear[to]) / 2.0 <= length / 2.0 * 0.3:
+                continue
+            edges[row * cols + column, to[0] * cols + to[1]] = length * (price[row, column] + price[to]) / 2.0
+    graph = coo_array((list(edges.values()), np.array(list(edges)).T), shape=(rows * cols, rows * cols)).tocsr()
+    found = dijkstra(graph, indices=np.flatnonzero(region), min_only=True).reshape(rows, cols)
+    assert np.isfinite(found).sum() > 1_000
+    assert np.array_equal(people.core.arrays["distance"], found)
 
 
 def test_the_nearest_sixteen_are_found_by_the_grid() -> None:
@@ -89,7 +130,7 @@ def test_nobody_crosses_a_wall_or_stands_in_another() -> None:
     ground = ground_of([box((4, 2), (8, 4)), box((8.2, 2), (0.6, 1.0)), box((11, 2), (5, 4))])
     goal = box((12.5, 2), (1, 3))
     people = bodies_at(ground, [[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0), places=1)
-    people.lead(0, fields.distances(ground, goal), fields.region_cells(ground, goal))
+    people.lead(0, ground.region(goal))
     people.goal[:] = 0
     least, passed = np.inf, 0
     for k in range(round(40.0 / STEP_S)):
@@ -117,11 +158,11 @@ def test_speed_falls_with_density_as_weidmann_says() -> None:
         people = bodies_at(ground, place.tolist(), (1.0, 0.0), period_m=30.0)
         people.wants[:] = 1.34 + 0.26 * np.clip(dice.normal(4, 1, k), -2, 2)
         went = np.zeros(count)
-        for step in range(300):
+        for number in range(300):
             before = people.place[:, 0].copy()
             walk(people)
             moved = people.place[:, 0] - before
-            went += moved - 30.0 * np.floor(moved / 30.0 + 0.5) if step >= 100 else 0.0
+            went += moved - 30.0 * np.floor(moved / 30.0 + 0.5) if number >= 100 else 0.0
         found.append(float(went.mean() / 10.0) / speed)
     assert np.allclose(found, 1.0, atol=0.15)
 

@@ -1,9 +1,9 @@
-"""Build the walkers' core, `walkers.wasm`, of the AssemblyScript in ``cloner/behaviour/core``.
+"""Build the engine of crowds, `engine.wasm`, of the AssemblyScript in ``cloner/behaviour/core``.
 
 Fetch the compiler with the ordinary client and give its folder::
 
     npm install --prefix FOLDER assemblyscript@0.28.20
-    python generic_models/build/build_walkers.py FOLDER
+    python generic_models/build/build_engine.py FOLDER
 
 The same compiler gives the same bytes; ``PROVENANCE.json`` beside the module tells theirs and those of its source, and
 ``tests/unit/behaviour/test_core.py`` builds and compares. No code of the compiler's library is in the module.
@@ -19,8 +19,8 @@ import tempfile
 from pathlib import Path
 
 CORE = Path(__file__).resolve().parents[2] / "cloner" / "behaviour" / "core"
-MODULE = "walkers.wasm"
-#: No garbage collector and no checks of arrays: the core takes its memory once and holds numbers only.
+MODULE = "engine.wasm"
+#: No garbage collector and no checks of arrays: the engine takes its memory once and holds numbers only.
 OPTIONS = ("-O3", "--runtime", "stub", "--noAssert", "--initialMemory", "1")
 
 
@@ -29,7 +29,7 @@ def built(packages: Path) -> bytes:
     compiler = packages / "node_modules" / "assemblyscript" / "bin" / "asc.js"
     with tempfile.TemporaryDirectory() as folder:
         module = Path(folder) / MODULE
-        subprocess.run(["node", compiler, "walkers.ts", *OPTIONS, "--outFile", module], cwd=CORE, check=True)
+        subprocess.run(["node", compiler, "engine.ts", *OPTIONS, "--outFile", module], cwd=CORE, check=True)
         return module.read_bytes()
 
 
@@ -47,7 +47,8 @@ def provenance(module: bytes, packages: Path) -> dict[str, object]:
 
 def source_digests() -> dict[str, str]:
     """Return the sha256 of each file of the source."""
-    return {one.name: hashlib.sha256(one.read_bytes()).hexdigest() for one in sorted(CORE.glob("*.ts"))}
+    found = sorted(CORE.rglob("*.ts"))
+    return {one.relative_to(CORE).as_posix(): hashlib.sha256(one.read_bytes()).hexdigest() for one in found}
 
 
 def main() -> None:

@@ -1,0 +1,31 @@
+"""A scenario's beginning as numbers, so that another host of the engine goes on from it to the same steps."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.behaviour.core.host import ARRAYS
+from cloner.behaviour.world import World
+
+#: What the engine makes itself.
+_MADE: Final = {"others", "distance", "fields", "told"}
+
+
+def beginning(world: World) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Return what ``crowd/web/engine.js`` needs to begin as a world did, which has made no step.
+
+    Returns
+    -------
+    facts : dict
+        With what the engine is made, and name, type and size of each array that it lends, in turn.
+    arrays : dict
+        Those that are not all zero; bytes for truth values.
+    """
+    rows = world.core.arrays
+    facts = world.core.begun | {"arrays": [[name, kind, int(rows[name].size)] for name, kind, _ in ARRAYS]}
+    kept = {name: own.view(np.uint8) if own.dtype == bool else own.copy() for name, own in rows.items()
+            if name not in _MADE and own.any()}  # fmt: skip
+    return facts, kept
