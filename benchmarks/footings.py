@@ -14,8 +14,9 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.acting.walkers import Track, Walker
+from cloner.acting.tracks import Track, footings_on
 from cloner.acting.written import acted_by
+from cloner.behaviour.feet import Feet
 from cloner.behaviour.trajectories import RATE_HZ, Trajectories, read_trajectories
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.footing import BY_FOOTINGS, Acted, rows_at, touches_of
@@ -48,7 +49,8 @@ def ways(pack: Path) -> list[str]:
                 place = np.cumsum(step * np.stack([np.sin(heading), np.cos(heading)], axis=1), axis=0)
                 every = np.ones(len(times), np.int64)
                 track = Track(times, place, heading, every * IDLE, every * kind)
-                own = Walker(track, touches[clone], clips[clone], 1.0, 0.0).footings().astype(np.float32)
+                feet = Feet(touches, clips, np.array([clone]), np.ones(1), np.zeros(1), {}, {})
+                (own,) = footings_on([track], feet)
                 person = np.zeros((1, 5, 4), np.float32)
                 person[0, 1] = 0.0, 0.0, clone, 1.0
                 slid = soles.slides_mm(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.acting.blocks import blocks_of
-from cloner.acting.walkers import Track, Walker
+from cloner.behaviour.feet import Bodies, Feet, footings_of
 from cloner.behaviour.language import read_scenario, read_text, scenario_text
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
 from cloner.behaviour.world import world_of
@@ -26,7 +26,7 @@ from cloner.errors import ClonerError
 from cloner.outside import open_outside
 from cloner.pipeline import Progress, quiet
 
-#: A thousand take .4 ms of a page's frame and 17 s to bake (`docs/behaviour.md`); taste.
+#: A thousand take .4 ms of a page's frame (`docs/behaviour.md`); taste.
 MOST_PEOPLE: Final = 5_000
 
 
@@ -222,32 +222,15 @@ def acted_by(
     styles = [f"walk_{one}" for one in walk.walks]
     run = names.index("run") if "run" in names else -1
     walks = np.array([names.index(one) if one in names else WALK for one in styles])
-    found, starts = [], [0]
-    for who, row in enumerate(rows):
-        clone, scale, phase = int(row[1, 2]), float(row[1, 3]), float(row[1, 1])
-        track = track_of(walk, who, acts, walks)
-        own = Walker(track, touches[clone], clips[clone], scale, phase, run=run)
-        found.append(own.footings().astype(np.float32))
-        starts.append(starts[-1] + len(found[-1]))
-        progress("baking", (who + 1) / len(rows))
+    looks = rows[:, 1].astype(np.float64)
+    feet = Feet(touches, clips, looks[:, 2].astype(np.int64), looks[:, 3], looks[:, 1], {}, {}, run)
+    done = Bodies(walk.place, walk.facing, walk.present, acts[walk.posture], walks[walk.emotion])
+    found = footings_of(done, feet, progress)
+    starts = np.cumsum([0, *map(len, found)])
     missing = sorted({one for one in walk.walks if one != "regular" and f"walk_{one}" not in names})
     lines = [f"the pack has no walk of who is {', '.join(missing)}: make it with --feelings"] if missing else []
     footings, blocks = np.concatenate(found).reshape(-1, COLUMNS), blocks_of(walk.obstacles, walk.things_at)
-    return Acted(footings, np.array(starts, np.uint32), rows, touches, clips, blocks), lines
-
-
-def track_of(walk: Trajectories, who: int, acts: NDArray[Any], walks: NDArray[Any]) -> Track:
-    """Return what one person is to do, in the page's frame: x to the right, y of the plan is -z."""
-    there = np.flatnonzero(walk.present[:, who])
-    frames = slice(0, int(there[-1]) + 1) if len(there) else slice(0, 1)
-    place, facing = walk.place[frames, who], walk.facing[frames, who]
-    return Track(
-        np.arange(len(place)) / RATE_HZ,
-        np.column_stack([place[:, 0], -place[:, 1]]),
-        np.arctan2(facing[:, 0], -facing[:, 1]),
-        acts[walk.posture[frames, who]],
-        walks[walk.emotion[frames, who]],
-    )
+    return Acted(footings, starts.astype(np.uint32), rows, touches, clips, blocks), lines
 
 
 def _people(count: int, casting: Casting) -> NDArray[np.float32]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -81,12 +81,12 @@ class Names:
         return WHO.index(who.kind), home
 
 
-def names_of(scenario: Scenario) -> Names:
-    """Return the names of a scenario."""
+def names_of(scenario: Scenario, more_acts: Iterable[str] = ()) -> Names:
+    """Return the names of a scenario; who acts it may know more acts, which orders can name."""
     orders = [one for rule in scenario.rules for one in rule.actions]
     events = [one.what for one in orders if one.verb == "event"]
     acts = [*ACTS, *(p.act for p in scenario.points if p.act), *(act for e in scenario.emotions for act in e.acts),
-            *(one.what for one in orders if one.verb == "act")]  # fmt: skip
+            *(one.what for one in orders if one.verb == "act"), *more_acts]  # fmt: skip
     return Names(
         [str(one.name) for one in scenario.groups],
         [str(one.name) for one in scenario.points],

@@ -14,6 +14,7 @@ import numpy as np
 from cloner.behaviour import dice
 from cloner.behaviour.core.host import Core
 from cloner.behaviour.dice import purpose
+from cloner.behaviour.feet import IDLE, WALK, Feet
 from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Indices, Mask, ground_of
 from cloner.behaviour.inhabitants import bands_of, people_of
 from cloner.behaviour.model import Action, Scenario
@@ -135,8 +136,8 @@ class World:
         return np.array(self.core.arrays["distance"])
 
 
-def world_of(scenario: Scenario, seed: int = 0) -> World:
-    """Return the world of a checked scenario at its beginning.
+def world_of(scenario: Scenario, seed: int = 0, feet: Feet | None = None) -> World:
+    """Return the world of a checked scenario at its beginning; with feet it tells footings too (`feet.taken`).
 
     Raises
     ------
@@ -145,7 +146,7 @@ def world_of(scenario: Scenario, seed: int = 0) -> World:
     """
     ground = ground_of([np.array(one.corners) for one in scenario.floors],
                        [np.array(one.corners) for one in scenario.obstacles])  # fmt: skip
-    names = names_of(scenario)
+    names = names_of(scenario, feet.still if feet else ())
     tables = tables_of(scenario, names, ground)
     for point, region in zip(scenario.points, tables["regions"], strict=True):
         if not region.any():
@@ -153,7 +154,10 @@ def world_of(scenario: Scenario, seed: int = 0) -> World:
     count = scenario.people()
     people = people_of(scenario, seed, count)
     bands = bands_of(scenario, names, people, seed)
-    core = Core(_counts(ground, tables | people | bands, count), _xy(ground.low), seed=seed)
+    counts = _counts(ground, tables | people | bands, count)
+    if feet:
+        counts |= {**feet.counts(), "acts": len(names.acts)}
+    core = Core(counts, _xy(ground.low), seed=seed)
     bodies = bodies_in(core, ground, np.zeros((count, 2)))
     for name, rows in (tables | people | bands).items():
         core.arrays[name][: len(rows)] = rows
@@ -162,6 +166,9 @@ def world_of(scenario: Scenario, seed: int = 0) -> World:
     core.arrays["orders"][CHANNELS.index("avoidance"), 0] = 1.0
     regular = names.emotions.index("regular") if "regular" in names.emotions else 0
     core.arrays["numbers"][:] = 0, len(bands["leader"]), regular, 0
+    if feet:
+        acts, walks = names.acts, [one.walk for one in scenario.emotions]
+        feet.fill(core, [feet.still.get(one, IDLE) for one in acts], [feet.walks.get(one, WALK) for one in walks])
     places = [Place(one.name, np.array(one.at), region)
               for one, region in zip(scenario.points, tables["regions"], strict=True)]  # fmt: skip
     own = People(**{name: core.arrays[name] for name in People.__slots__})

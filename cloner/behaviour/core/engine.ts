@@ -5,6 +5,7 @@
 // whose tables a host fills too (`tables.py`), goes on by `live`. f64 with + - * / and square roots only, which every
 // engine of WebAssembly rounds alike, and random numbers of its own: the same input gives the same bits.
 
+import { arrangeFeet } from "./feet/state";
 import { arrange } from "./memory";
 import { arrangeSearch } from "./distances";
 import { findWays } from "./fields";
@@ -16,6 +17,7 @@ import { arrangeMinds } from "./minds/state";
 
 export { at, counts } from "./memory";
 export { step } from "./walkers";
+export { halt, stride, watch } from "./feet/watching";
 export { come, depart, freeGuest } from "./minds/guests";
 export { guide, live } from "./minds/loop";
 
@@ -25,6 +27,7 @@ export function begin(x: f64, y: f64, periodM: f64, seed: u64): void {
   arrangeSearch();
   arrangeMinds();
   arrangeSorting();
+  arrangeFeet();
   spreadFan();
 }
 

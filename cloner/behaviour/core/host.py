@@ -18,10 +18,10 @@ from wasmtime import Config, Engine, Func, Instance, Memory, Module, Store, Wasm
 from cloner.errors import ClonerError
 
 MODULE: Final = Path(__file__).with_name("engine.wasm")
-#: How many there are of everything, in the order of `counts()` (core/memory.ts, core/minds/state.ts).
+#: How many there are of everything, in the order of `counts()` (core/memory.ts; minds and feet have theirs).
 COUNTS: Final = (
     "people", "rows", "cols", "walls", "reach", "places", "homes", "bands", "visits", "memory", "things", "emotions",
-    "likes", "idle_acts", "rules", "actions", "events", "spots", "lattice",
+    "likes", "idle_acts", "rules", "actions", "events", "spots", "lattice", "looks", "clips", "frames", "acts",
 )  # fmt: skip
 #: The arrays that the module lends, in the order of `lend`: name, type, shape. Ends of lists have one row more.
 ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
@@ -58,10 +58,15 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
     ("rule_rows", "<i4", ("rules", 8)), ("rule_seconds", "<f8", ("rules",)),
     ("action_rows", "<i4", ("actions", 5)), ("action_seconds", "<f8", ("actions",)),
     ("told", "<f8", ("told", 4)), ("numbers", "<i4", (4,)),
+    ("touches", "<f4", ("looks", "clips", 48, 6)), ("clips", "<f4", ("looks", "clips", 2)),
+    ("look_of", "<i4", ("walkers",)), ("scale", "<f8", ("walkers",)), ("start_phase", "<f8", ("walkers",)),
+    ("act_clip", "<i4", ("acts",)), ("walk_clip", "<i4", ("emotions",)),
+    ("footings", "<f4", ("footings", 14)), ("foot_numbers", "<i4", (2,)), ("last_seen", "<i4", ("walkers",)),
+    ("clock", "<f8", ("walkers",)),
 )  # fmt: skip
-#: A module's memory ends at 4 GiB. What it does not lend takes so many bytes a cell and a person.
+#: A module's memory ends at 4 GiB. What it does not lend takes so many bytes a cell, a person, a person's frame.
 _LARGEST_BYTES: Final = 4_000_000_000
-_CELL_BYTES, _PERSON_BYTES = 292, 260
+_CELL_BYTES, _PERSON_BYTES, _FRAME_BYTES = 292, 460, 32
 
 
 class _Lent:
@@ -106,7 +111,8 @@ class Core:
         shapes = shapes_of(counts)
         lent = sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
         cells = counts["rows"] * counts["cols"]
-        if lent + cells * _CELL_BYTES + counts["people"] * _PERSON_BYTES > _LARGEST_BYTES:
+        frames = counts.get("frames", 0) * counts["people"] * _FRAME_BYTES
+        if lent + frames + cells * _CELL_BYTES + counts["people"] * _PERSON_BYTES > _LARGEST_BYTES:
             raise ClonerError(
                 "the floor is too large for so many points", "Make it smaller, or take points away", "floor"
             )
@@ -129,7 +135,7 @@ class Core:
             self.arrays[name] = np.asarray(_Lent(self, at, shape, kind))
 
     def call(self, name: str, *values: float) -> Any:
-        """Call what the module exports (core/engine.ts): ready, lead, step, live, guide, come, depart, freeGuest."""
+        """Call what the module exports (core/engine.ts): ready, lead, step, live, guide, come, depart, ..."""
         return self._exports[name](self._store, *values)
 
 
@@ -138,6 +144,8 @@ def shapes_of(counts: Mapping[str, int]) -> dict[str, tuple[str, tuple[int, ...]
     known = {name: counts.get(name, 0) for name in COUNTS}
     known |= {f"{name}+": known[name] + 1 for name in ("homes", "emotions", "places")}
     known["told"] = 4 * known["people"] + 1024
+    known["walkers"] = known["people"] if known["looks"] else 0
+    known["footings"] = 32 * known["people"] + 1024 if known["looks"] else 0
     return {name: (kind, tuple(known[one] if isinstance(one, str) else one for one in shape))
             for name, kind, shape in ARRAYS}  # fmt: skip
 

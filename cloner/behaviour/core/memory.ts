@@ -63,14 +63,14 @@ export let here: usize = 0; // n, i32: who is there
 
 let top: usize = 0;
 let lent: i32 = 0;
-const LENT = memory.data(80 * 4);
+const LENT = memory.data(96 * 4);
 const COUNTS = memory.data(24 * 4);
 
 /** Where a host writes, as i32, how many there are: of what, `count` tells. */
 export function counts(): usize { return COUNTS; }
 
 /** How many there are: 0 people, 1 rows and 2 columns of cells, 3 walls, 4 walls a cell's list holds, 5 places; what
- *  follows is of `minds/state.ts`. */
+ *  follows is of `minds/state.ts` and `feet/state.ts`. */
 export function count(kind: i32): i32 { return i(COUNTS, kind); }
 
 /** Take bytes of the memory; they are zero. */

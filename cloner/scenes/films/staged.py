@@ -8,7 +8,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from cloner.acting.walkers import Track, Walker
+from cloner.acting.tracks import Track, footings_on
+from cloner.behaviour.feet import Feet
 from cloner.crowd.clones.stock import Stock
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Dice
@@ -60,7 +61,7 @@ def acted_by(
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     speeds = np.array([[c["speed_m_s"] for c in row["clips"]] for row in people])
     statures = [float(row["stature_m"]) for row in people]
-    dice, found, starts = Dice(1), [], [0]
+    dice = Dice(1)
     tracks: list[Track] = []
     heads = [k for k, one in enumerate(film.actors) if one.head_at is not None]
     rows = np.zeros((len(film.actors) + len(heads), PERSON_TEXELS, 4), np.float32)
@@ -69,16 +70,15 @@ def acted_by(
         track = _track(film, who, actor, names, speeds[clone], tracks)
         tracks.append(track)
         rows[who, 1], rows[who, 2, :3], rows[who, 3] = (0.0, dice.roll(), clone, 1.0), clone, -1.0
-        own = Walker(track, touches[clone], clips[clone], 1.0, float(rows[who, 1, 1]), run=_clip(names, "run", -1))
-        found.append(own.footings().astype(np.float32))
-        progress("footings", (who + 1) / len(film.actors))
+    acting = rows[: len(film.actors), 1].astype(np.float64)
+    feet = Feet(touches, clips, np.array(clones), acting[:, 3], acting[:, 1], {}, {}, _clip(names, "run", -1))
+    found = footings_on(tracks, feet, progress)
     for k, body in enumerate(heads):
         rows[len(film.actors) + k] = rows[body]
         found.append(found[body][:1].copy())
         found[-1][0, 1] = film.seconds + 1.0
-    for own_rows in found:
-        starts.append(starts[-1] + len(own_rows))
-    acted = Acted(np.concatenate(found).reshape(-1, COLUMNS), np.array(starts, np.uint32), rows, touches, clips)
+    starts = np.cumsum([0, *map(len, found)]).astype(np.uint32)
+    acted = Acted(np.concatenate(found).reshape(-1, COLUMNS), starts, rows, touches, clips)
     middles = [HEAD_MIDDLE * statures[clones[one]] for one in range(len(film.actors))]
     return acted, _staging(film, tracks, heads, middles)
 

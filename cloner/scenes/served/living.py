@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide
-from cloner.behaviour.world import world_of
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.people import Found
 from cloner.crowd.drawing.player import player_page
@@ -123,10 +122,7 @@ class Living:
 
     def _begin(self) -> None:
         """Let the scenario begin; those who have come play other parts in it."""
-        world = world_of(self._scenario, self._seed)
-        if len(world.people.home) > len(self._acted.people):
-            raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", self.pack.name)
-        self._minds: Minds = minds_of(world, self._acted, self.facts["people"][0]["clips"])
+        self._minds: Minds = minds_of(self._scenario, self._seed, self._acted, self.facts["people"][0]["clips"])
         self._guests, self._heard, self._seed = Guests(), 0, self._seed + 1
         new = self._minds.go_on(0.0)
         with self._turn:

@@ -14,22 +14,23 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.acting.walkers import SEEN_S, Track, Walker
+from cloner.behaviour.feet import RATE_HZ, SEEN_S, Feet, taken
 from cloner.behaviour.guests import guests
 from cloner.behaviour.loop import run
-from cloner.behaviour.trajectories import RATE_HZ, STEPS
-from cloner.behaviour.world import World
+from cloner.behaviour.model import Scenario
+from cloner.behaviour.trajectories import STEPS
+from cloner.behaviour.world import World, world_of
 from cloner.crowd.staged.footing import Acted
-from cloner.crowd.staged.scene import IDLE, WALK
 from cloner.errors import ClonerError
+from cloner.records.arrays import Array
 
 #: So far ahead of what is shown minds decide, seconds: what feet need to know, the longest footing (.8), and 1.2 for a
 #: machine that does something else just then.
 HEAD_S: Final = SEEN_S + 2.0
-#: Frames of a track that are kept: feet are never farther behind the minds.
-KEPT: Final = round(2.0 * HEAD_S * RATE_HZ)
 #: Whoever goes farthest in this time is whose part a newcomer takes, seconds.
 GOES_S: Final = 2.0
+#: Looks that newcomers may have at once.
+SPARE: Final = 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,15 +44,12 @@ class Look:
 
 @dataclass(slots=True, eq=False)
 class Minds:
-    """A running scenario and everybody's feet. Frames are (n, 2) places, (n,) headings, acts, walks, who is there."""
+    """A running scenario and everybody's feet; ``feet`` are those that the pack gives."""
 
     world: World
-    walkers: list[Walker]
-    looks: list[Look]
-    postures: NDArray[np.int64]
-    gaits: NDArray[np.int64]
-    frames: deque[tuple[NDArray[Any], ...]] = field(default_factory=lambda: deque(maxlen=KEPT))
-    gone_s: dict[int, float] = field(default_factory=dict)
+    feet: Feet
+    places: deque[Array] = field(default_factory=lambda: deque(maxlen=round(GOES_S * RATE_HZ)))
+    dressed: dict[int, int] = field(default_factory=dict)
 
     def go_on(self, shown_s: float) -> dict[int, NDArray[np.float32]]:
         """Let time pass until minds are `HEAD_S` ahead of what is shown; return everybody's new footings.
@@ -59,27 +57,13 @@ class Minds:
         A footing that goes on where the last one was is told again, longer: it begins at the same time. Between two
         calls at most `HEAD_S` may pass.
         """
-        if not self.frames:
-            self._look()
+        if not self.world.steps:
+            self._watch()
         for now in run(self.world, max(shown_s + HEAD_S - self.world.time_s, 0.0)):
             if now.steps % STEPS == 0:
-                self._look()
-        times = (self._frame() - np.arange(len(self.frames))[::-1]) / RATE_HZ
-        places, headings, acts, walks, there = (np.stack(one, axis=1) for one in zip(*self.frames, strict=True))
-        found = {}
-        for who, walker in enumerate(self.walkers):
-            until = self.world.time_s - SEEN_S
-            if there[who, -1] and who in self.gone_s:
-                first = len(times) - int(np.argmin(np.append(there[who][::-1], False)))
-                walker.enter(float(times[first]), places[who, first], float(headings[who, first]))
-                del self.gone_s[who]
-            if not there[who, -1]:
-                until = self.gone_s.setdefault(who, float(times[there[who]][-1]) if there[who].any() else 0.0)
-            walker.track = Track(times, places[who], headings[who], acts[who], walks[who])
-            rows = walker.more(until)
-            if len(rows):
-                found[who] = rows
-        return found
+                self._watch()
+        self.world.core.call("stride", self.world.time_s - SEEN_S)
+        return taken(self.world.core)
 
     def goes(self, taken: frozenset[int]) -> int:
         """Return who goes farthest just now, of those whose part is not taken.
@@ -89,9 +73,9 @@ class Minds:
         ClonerError
             If nobody is left.
         """
-        before = self.frames[-min(len(self.frames), round(GOES_S * RATE_HZ))]
-        worth = np.linalg.norm(self.frames[-1][0] - before[0], axis=1)
-        worth[~self.frames[-1][4]] = -1.0
+        away = self.places[-1] - self.places[0]
+        worth = np.linalg.norm(away, axis=1)
+        worth[~self.world.bodies.present] = -1.0
         worth[list(taken)] = -1.0
         best = int(np.argmax(worth))
         if worth[best] < 0.0:
@@ -100,59 +84,61 @@ class Minds:
 
     def dress(self, who: int, look: Look | None) -> float:
         """Give somebody other feet, None for the own ones; return from which time on, seconds."""
-        own = look or self.looks[who]
-        walker = self.walkers[who]
-        walker.touches, walker.clips, walker.scale = own.touches, own.clips, own.scale
-        return walker.now
+        arrays = self.world.core.arrays
+        self.dressed.pop(who, None)
+        number, scale = int(self.feet.look[who]), float(self.feet.scale[who])
+        if look is not None:
+            first = len(self.feet.touches)
+            number = min(set(range(first, first + self.feet.spare)) - set(self.dressed.values()))
+            arrays["touches"][number], arrays["clips"][number], scale = look.touches, look.clips, look.scale
+            self.dressed[who] = number
+        arrays["look_of"][who], arrays["scale"][who] = number, scale
+        return float(arrays["clock"][who])
+
+    @property
+    def gone_s(self) -> dict[int, float]:
+        """When each who is not there was there last, seconds."""
+        seen = self.world.core.arrays["last_seen"]
+        return {int(who): float(seen[who]) / RATE_HZ for who in np.flatnonzero(~self.world.bodies.present)}
 
     def over(self) -> bool:
         """Return whether nobody is there any more, but for guests."""
         return int(self.world.bodies.present.sum()) == guests(self.world)
 
-    def _frame(self) -> int:
-        return self.world.steps // STEPS
-
-    def _look(self) -> None:
-        people, bodies = self.world.people, self.world.bodies
-        place, facing = bodies.place, bodies.facing
-        self.frames.append(
-            (
-                np.column_stack([place[:, 0], -place[:, 1]]),
-                np.arctan2(facing[:, 0], -facing[:, 1]),
-                self.postures[people.posture],
-                self.gaits[people.emotion],
-                bodies.present.copy(),
-            )
-        )
+    def _watch(self) -> None:
+        self.world.core.call("watch")
+        self.places.append(self.world.bodies.place.copy())
 
 
-def minds_of(world: World, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> Minds:
+def minds_of(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> Minds:
     """Return a scenario's people with the feet that a pack gives them.
 
     Parameters
     ----------
-    world : World
-        At its beginning.
+    scenario, seed
+        As of :func:`cloner.behaviour.world.world_of`.
     acted : Acted
         What the pack acts: its first people are the scenario's.
     clips : rows of the clones' clips in ``crowd.json``
+
+    Raises
+    ------
+    ClonerError
+        If the pack has fewer people, or as of :func:`cloner.behaviour.world.world_of`.
     """
+    if scenario.people() > len(acted.people):
+        raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", "scene")
+    feet = feet_of(acted, clips, scenario.people())
+    return Minds(world_of(scenario, seed, feet), feet)
+
+
+def feet_of(acted: Acted, clips: Sequence[Mapping[str, Any]], people: int) -> Feet:
+    """Return the feet of the first people of a pack."""
     names = [str(one["name"]) for one in clips]
-    still = {str(one["name"]): k for k, one in enumerate(clips) if not one["speed_m_s"]}
-    styles = [f"walk_{one.walk}" for one in world.scenario.emotions]
-    count = len(world.people.home)
-    rows = acted.people[:count]
-    looks = [Look(acted.touches[int(row[1, 2])], acted.clips[int(row[1, 2])], float(row[1, 3])) for row in rows]
-    run_clip = names.index("run") if "run" in names else -1
-    nowhere = Track(np.zeros(1), np.zeros((1, 2)), np.zeros(1), np.zeros(1, np.int64), np.zeros(1, np.int64))
-    minds = Minds(
-        world, [], looks, np.array([still.get(str(one), IDLE) for one in world.acts]),
-        np.array([names.index(one) if one in names else WALK for one in styles]),
+    rows = acted.people[:people, 1].astype(np.float64)
+    return Feet(
+        acted.touches, acted.clips, rows[:, 2].astype(np.int64), rows[:, 3], rows[:, 1],
+        still={str(one["name"]): k for k, one in enumerate(clips) if not one["speed_m_s"]},
+        walks={name.removeprefix("walk_"): k for k, name in enumerate(names) if name.startswith("walk_")},
+        run=names.index("run") if "run" in names else -1, spare=SPARE,
     )  # fmt: skip
-    minds._look()
-    places, headings, *_ = minds.frames[0]
-    for who, (look, row) in enumerate(zip(looks, rows, strict=True)):
-        walker = Walker(nowhere, look.touches, look.clips, look.scale, float(row[1, 1]), run=run_clip)
-        walker.at, walker.heading = places[who], float(headings[who])
-        minds.walkers.append(walker)
-    return minds

@@ -11,13 +11,15 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.acting.walkers import OFF_RAD, Track, Walker
+from cloner.acting.tracks import Track, footings_on
+from cloner.behaviour.feet import Feet
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.footing import CLIP, COLUMNS, FIRST, LAST, OTHER, Acted, fits, rows_at, touches_of
 from cloner.crowd.staged.scene import IDLE
 from kit.feet import Soles
 
 pytestmark = pytest.mark.slow
+OFF_RAD = 0.15  # who stands turns when off by more (core/feet/walker.ts)
 WALKS = ("walk", "walk_sad", "walk_calm", "walk_happy", "walk_explosive", "walk_afraid")
 
 
@@ -39,11 +41,9 @@ class Stage:
         """What one clone makes of a track."""
         row = np.zeros((1, 5, 4), np.float32)
         row[0, 1], row[0, 3] = (0.0, 0.0, clone, scale), -1.0
-        own = (
-            Walker(track, self.touches[clone], self.clips[clone], scale, 0.3, run=self.names.index("run"))
-            .footings()
-            .astype(np.float32)
-        )
+        run = self.names.index("run")
+        feet = Feet(self.touches, self.clips, np.array([clone]), np.array([scale]), np.array([0.3]), {}, {}, run)
+        (own,) = footings_on([track], feet)
         return Acted(own, np.array([0, len(own)], np.uint32), row, self.touches, self.clips)
 
 

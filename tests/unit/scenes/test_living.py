@@ -14,7 +14,6 @@ import pytest
 
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide
-from cloner.behaviour.world import world_of
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import COLUMNS, FROM, GONE, UNTIL, Acted, rows_at
 from cloner.errors import ClonerError
@@ -34,14 +33,12 @@ pytestmark = [pytest.mark.gl, pytest.mark.slow]
 
 def minds_in(built: Path) -> Minds:
     facts = read_facts(built)
-    return minds_of(
-        world_of(read_text(facts["scenario"]["text"]), 1), read_acted(built, facts), facts["people"][0]["clips"]
-    )
+    return minds_of(read_text(facts["scenario"]["text"]), 1, read_acted(built, facts), facts["people"][0]["clips"])
 
 
 def walked(minds: Minds, times: np.ndarray) -> list[np.ndarray]:
     """Everybody's footings as a page gathers them."""
-    ways = [np.zeros((0, COLUMNS), np.float32) for _ in minds.walkers]
+    ways = [np.zeros((0, COLUMNS), np.float32) for _ in minds.feet.look]
     for now in times:
         for who, rows in minds.go_on(float(now)).items():
             ways[who] = np.concatenate([ways[who][ways[who][:, FROM] < rows[0, FROM]], rows])

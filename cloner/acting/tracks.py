@@ -1,0 +1,46 @@
+"""What somebody is to do, ten times a second, in a page's frame; and the footings that the engine makes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.behaviour.feet import Bodies, Feet, footings_of
+from cloner.pipeline import Progress, quiet
+from cloner.records.arrays import Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Track:
+    """What one person is to do: (f,) times; (f, 2) x and z, metres; (f,) headings, clips while standing, walks."""
+
+    times_s: Array
+    places_m: Array
+    headings: Array
+    acts: NDArray[np.int64]
+    walks: NDArray[np.int64]
+
+    def place(self, now: float) -> Array:
+        """Return (2,) x and z at a time."""
+        return np.array([np.interp(now, self.times_s, self.places_m[:, axis]) for axis in (0, 1)])
+
+    def row(self, now: float) -> int:
+        """Return the last frame that is not later."""
+        return min(max(int(np.searchsorted(self.times_s, now + 1e-9, side="right")) - 1, 0), len(self.times_s) - 1)
+
+
+def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = quiet) -> list[NDArray[np.float32]]:
+    """Return everybody's footings, each (m, COLUMNS); who has no more track has gone."""
+    frames, people = max(len(one.places_m) for one in tracks), len(tracks)
+    place, facing = np.zeros((frames, people, 2)), np.zeros((frames, people, 2))
+    present = np.zeros((frames, people), bool)
+    acts, walks = (np.zeros((frames, people), np.int64) for _ in range(2))
+    for who, one in enumerate(tracks):
+        rows = slice(0, len(one.places_m))
+        place[rows, who] = one.places_m * (1.0, -1.0)
+        facing[rows, who] = np.stack([np.sin(one.headings), -np.cos(one.headings)], axis=1)
+        present[rows, who], acts[rows, who], walks[rows, who] = True, one.acts, one.walks
+    return footings_of(Bodies(place, facing, present, acts, walks), feet, progress)
