@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.feet import Bodies, Feet, footings_of
+from cloner.crowd.staged.footing import Acted
 from cloner.pipeline import Progress, quiet
 from cloner.records.arrays import Array
 
@@ -44,3 +46,24 @@ def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = quiet)
         facing[rows, who] = np.stack([np.sin(one.headings), -np.cos(one.headings)], axis=1)
         present[rows, who], acts[rows, who], walks[rows, who] = True, one.acts, one.walks
     return footings_of(Bodies(place, facing, present, acts, walks), feet, progress)
+
+
+def feet_of(acted: Acted, clips: Sequence[Mapping[str, Any]], people: int, *, spare: int = 0) -> Feet:
+    """Return the feet of the first people of a pack.
+
+    Parameters
+    ----------
+    acted : Acted
+    clips : rows of the clones' clips in ``crowd.json``
+    people : int
+    spare : int
+        Looks that may come later.
+    """
+    names = [str(one["name"]) for one in clips]
+    rows = acted.people[:people, 1].astype(np.float64)
+    return Feet(
+        acted.touches, acted.clips, rows[:, 2].astype(np.int64), rows[:, 3], rows[:, 1],
+        still={str(one["name"]): k for k, one in enumerate(clips) if not one["speed_m_s"]},
+        walks={name.removeprefix("walk_"): k for k, name in enumerate(names) if name.startswith("walk_")},
+        run=names.index("run") if "run" in names else -1, spare=spare,
+    )  # fmt: skip

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.acting.blocks import blocks_of
+from cloner.acting.going_on import GoingOn, going_on, welcoming
 from cloner.behaviour.feet import Bodies, Feet, footings_of
 from cloner.behaviour.language import read_scenario, read_text, scenario_text
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
@@ -78,10 +79,11 @@ def bake_file(
     if out.resolve() == pack.resolve():
         raise ClonerError("the pack would be replaced by what is made of it", "Choose another --out folder", out.name)
     facts = read_facts(pack)
-    walk, scenario = _walked(source, seconds, seed, progress)
+    walk, text = _walked(source, seconds, seed, progress)
     if len(walk.groups) > MOST_PEOPLE:
         raise ClonerError(f"{len(walk.groups)} people are too many", f"Give at most {MOST_PEOPLE}", source.name)
     acted, lines = acted_by(walk, pack, facts, progress)
+    scenario = going_on(text, seed, acted, facts["people"][0]["clips"]) if text else None
     if room:
         acted = replace(acted, blocks=acted.blocks[:0])
     seconds = (len(walk.place) - 1) / RATE_HZ
@@ -90,9 +92,10 @@ def bake_file(
     if room and room.statues and "statues" in facts:
         acted, staging = room.statues(walk, acted, facts, pack, seconds)
     size = write_acted(pack, facts, out, acted, seconds, views, room, staging, scenario)
-    spent = len(walk.groups) * max(seconds, 1.0 / RATE_HZ)
+    many = int(walk.present.any(axis=0).sum())
+    spent = max(many, 1) * max(seconds, 1.0 / RATE_HZ)
     lines.append(
-        f"{len(walk.groups)} people, {seconds:g} s, {len(acted.footings)} footings, "
+        f"{many} people, {seconds:g} s, {len(acted.footings)} footings, "
         f"{size / 1e3:.0f} kB: {size / spent:.0f} bytes a person and second"
     )
     return [*lines, str(out / "player.html")]
@@ -100,7 +103,7 @@ def bake_file(
 
 def write_acted(
     pack: Path, facts: dict[str, Any], out: Path, acted: Acted, seconds: float, views: Mapping[str, Any],
-    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None, scenario: Mapping[str, Any] | None = None,
+    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None, scenario: GoingOn | None = None,
     spoken: SpokenParts | None = None,
 ) -> int:  # fmt: skip
     """Write a pack whose clones act in a folder of its own; return the bytes of what they act.
@@ -115,8 +118,8 @@ def write_acted(
     views : eye and target of the page's views
     room, staging
         What stands around them, and how it is staged; see :mod:`cloner.crowd.staged.staging`.
-    scenario : mapping, optional
-        The text and seed by which it can go on for ever (`cloner.scenes.served.minds`).
+    scenario : GoingOn, optional
+        By which it can go on for ever, in the page or served.
     spoken : SpokenParts, optional
         What they say.
     """
@@ -126,14 +129,15 @@ def write_acted(
     }  # fmt: skip
     data, told = packed(arrays)
     kept = {name: own for name, own in facts["files"].items() if name.startswith("people/") or name == BODY_FILE}
-    files = {ACTED_FILE: data, **(room.files if room else {}), **(spoken.files if spoken else {})}
+    files = {ACTED_FILE: data, **(room.files if room else {}), **(spoken.files if spoken else {}),
+             **(scenario.files if scenario else {})}  # fmt: skip
     made = {key: value for key, value in facts.items() if key not in ("room", "staging", "scenario", "spoken")} | {
         "scene": ACTED, "people_count": len(acted.people),
         "files": kept | {name: digest(own) for name, own in files.items()},
         "acted": {"seconds": seconds, "people": len(acted.people), "arrays": told, "views": dict(views)},
     }  # fmt: skip
     if scenario:
-        made["scenario"] = dict(scenario)
+        made["scenario"] = scenario.facts
     if room:
         made["room"] = room.facts
     if staging:
@@ -188,15 +192,17 @@ def _holds_trajectories(source: Path) -> bool:
         raise ClonerError("there is nothing to bake", hint, source.name) from error
 
 
-def _walked(source: Path, seconds: float, seed: int, progress: Progress) -> tuple[Trajectories, dict[str, Any] | None]:
-    """Return the trajectories of a file, or those of a scenario that is run beside its text and seed."""
+def _walked(source: Path, seconds: float, seed: int, progress: Progress) -> tuple[Trajectories, str]:
+    """Return the trajectories of a file, or those of a scenario that is run, and its text."""
     if _holds_trajectories(source):
-        return read_trajectories(source), None
+        return read_trajectories(source), ""
     if not 0.0 < seconds <= 3600.0:
         raise ClonerError(f"{seconds:g} seconds cannot be baked", "Give more than 0 and at most an hour", "--seconds")
     text = scenario_text(source)
+    read_text(text, source.name)  # what is wrong in it is told by the file's name
+    text = welcoming(text)
     walk = recorded(world_of(read_text(text, source.name), seed), seconds, progress)
-    return walk, {"text": text, "seed": seed}
+    return walk, text
 
 
 def acted_by(

@@ -10,7 +10,7 @@ function textOf(bytes) {
 async function play(log) {
   const tables = {};
   for (const [name, kind] of log.told.arrays) {
-    if (log.tables[name]) tables[name] = new ROWS[kind](bytesIn(log.tables[name]).buffer);
+    if (log.tables[name]) tables[name] = new LENT[kind](bytesIn(log.tables[name]).buffer);
   }
   const { core, rows } = await engineOf(bytesIn(log.module), log.told, tables);
   const places = [], times = [];

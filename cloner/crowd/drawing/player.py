@@ -23,6 +23,9 @@ FACE_FILE: Final = "face.bin"
 BODY_FILE: Final = "body.bin"
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
+#: The beginning of a scenario that goes on in the page, numbers in line, and the engine that lets it.
+MINDS_FILE: Final = "minds.bin"
+ENGINE_FILE: Final = "engine.wasm"
 #: Weights of faces that speak.
 SPOKEN_FILE: Final = "spoken.bin"
 _SCRIPTS: Final = (
@@ -35,12 +38,16 @@ _SCRIPTS: Final = (
     "staging.js",
     "faces.js",
     "sound.js",
+    "engine.js",
+    "minds.js",
     "live.js",
     "player.js",
 )
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
+#: A page whose scenario goes on compiles its engine.
+_GOING_POLICY: Final = _POLICY.replace("'unsafe-inline';", "'unsafe-inline' 'wasm-unsafe-eval';", 1)
 #: A page that is served may ask its own server, and nobody else.
 _LIVE_POLICY: Final = _POLICY.replace("connect-src 'none'", "connect-src 'self'")
 
@@ -59,6 +66,9 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     names = [BODY_FILE, *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
     if "acted" in facts:
         names.append(ACTED_FILE)
+    goes_on = not facts.get("live") and MINDS_FILE in facts["files"]
+    if goes_on:
+        names += [MINDS_FILE, ENGINE_FILE]
     if "spoken" in facts:
         names += [SPOKEN_FILE, *(one["sound"] for one in facts["spoken"]["said"] if one["sound"])]
     if "room" in facts:
@@ -72,7 +82,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     told = {key: value for key, value in facts.items() if key != "files"}
     page = (web / "player.html").read_text(encoding="utf-8")
     parts = {
-        "POLICY": _LIVE_POLICY if facts.get("live") else _POLICY,
+        "POLICY": _LIVE_POLICY if facts.get("live") else _GOING_POLICY if goes_on else _POLICY,
         "STYLE": (web / "player.css").read_text(encoding="utf-8"),
         "FACTS": _inside_script({"facts": told, "shaders": shaders}),
         "HELD": held,

@@ -5,9 +5,9 @@
 
 const FOLLOW_S = 45, SHOT_S = 14, IDLE_S = 30, LOST_S = 10, AGAIN_S = 0.5, PULL = 1.6, TURN_RAD_S = 0.02, LOOK_M = 1.15, EYE_M = 1.6; // taste
 const ASIDE = [0.5, -0.5, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6], AWAY_M = [3.4, 2.6, 1.9], BESIDE_M = 0.55, NEAR_M = 1.2, LOOKS_S = 1.5, WALK_EVERY_S = 0.5; // taste
-const OFF_S = 0.25, AWAKENS_S = 4, NEVER_S = 1e9; // a clock so far off is put right; a statue awakes in so long
+const OFF_S = 0.25; // a clock so far off is put right
 
-function liveOf() {
+function liveOf(statues) {
   const clock = () => performance.now() / 1000;
   const own = facts.people.length, slots = [], newcomers = new Map(), parts = new Set(), turns = [];
   const before = acted.people.slice(), gone = new Set(), history = [], shots = Object.keys(VIEWS);
@@ -102,9 +102,9 @@ function liveOf() {
 
   const heard = {
     hello(told) {
-      for (let who = 0; who < acted.count; who++) if (!things.has(who)) acted.begin(who, new Float32Array(0));
+      for (let who = 0; who < acted.count; who++) if (!statues.who.has(who)) acted.begin(who, new Float32Array(0));
       steps(told, acted.begin);
-      sleep();
+      statues.begin();
       for (const one of told.awake) heard.awakes(one);
       const there = new Set(told.newcomers.map((one) => one.key));
       for (const key of newcomers.keys()) if (!there.has(key)) queue(() => leave(key));
@@ -116,13 +116,7 @@ function liveOf() {
     come: (told) => queue(() => come(told)),
     plays: (told) => queue(() => play(told)),
     gone({ key }) { gone.add(key); queue(() => leave(key)); },
-    awakes({ name, at }) {
-      const k = staging ? facts.staging.things.indexOf(name) : -1;
-      if (k < 0) return;
-      const who = facts.staging.stone[k][0];
-      staging.wakes.set(who, at);
-      facts.staging.stone[k][1] = [[at, 1], [at + AWAKENS_S, 0]];
-    },
+    awakes: ({ name, at }) => statues.awake(name, at),
     answer(told) {
       if (told.staff) { staff = true; knobs.style.display = stats.style.display = ""; }
       if (told.error) window.alert(told.error);
@@ -136,21 +130,6 @@ function liveOf() {
       say(text);
     },
   };
-
-  // Statues of the scenario sleep until it is told that they awake.
-  const things = new Set(staging ? facts.staging.stone.map(([who]) => who) : []);
-  function sleep() {
-    if (!staging) return;
-    for (const one of facts.staging.stone) {
-      const still = new Float32Array(FOOTING);
-      still.set(start[one[0]]);
-      still[UNTIL] = Infinity;
-      acted.begin(one[0], still);
-      staging.wakes.set(one[0], NEVER_S);
-      one[1] = [[0, 1]];
-    }
-  }
-  const start = Object.fromEntries([...things].map((who) => [who, acted.first(who)]));
 
   function join() {
     link = new WebSocket(`${location.href.replace("http", "ws")}live`);

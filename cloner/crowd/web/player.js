@@ -12,7 +12,7 @@ const state = {
   stats: {}, still: 0, hour: DAY, blocks: false, shown: null, whole: false, // whole: the impostors of all who are far are there
 };
 const canvas = document.querySelector("canvas");
-let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
+let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null, minds = null;
 let spoken = null, voices = {}, feelings = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
@@ -67,7 +67,9 @@ async function start(context) {
   }
   setScene(state.scene, state.people);
   if (directed()) setCamera("film");
-  if (facts.live) live = liveOf();
+  const statues = acted ? statuesOf(facts.staging && facts.staging.things ? facts.staging : null, staging, acted) : null;
+  if (facts.live) live = liveOf(statues);
+  else if (held.has("minds.bin")) minds = await mindsOf(bytesOf("engine.wasm"), facts.scenario, await arraysOf(bytesOf("minds.bin"), facts.scenario.arrays), acted, statues);
   buildKnobs();
   resize();
   view("overview");
@@ -168,7 +170,7 @@ function setScene(name, count) {
 }
 
 // When it is in what is acted: over and over, or on and on where that is told.
-function actedNow() { return facts.live ? state.now : state.now - Math.floor(state.now / facts.acted.seconds) * facts.acted.seconds; }
+function actedNow() { return facts.live || (minds && minds.begun) ? state.now : state.now - Math.floor(state.now / facts.acted.seconds) * facts.acted.seconds; }
 
 // Everybody where the scenario has them now.
 function act() {
@@ -180,7 +182,8 @@ function act() {
   }
   if (spoken) spoken.move(uniforms, now);
   if (feelings) feelings.feel(acted, now);
-  if (live && live.own >= 0) walkers.rows[live.own * 4 * PERSON_TEXELS] = GONE; // nobody sees the own body
+  const own = live ? live.own : minds ? minds.own : -1;
+  if (own >= 0) walkers.rows[own * 4 * PERSON_TEXELS] = GONE; // nobody sees the own body
   walkers.data.set(walkers.rows);
   uniforms.people.value.needsUpdate = true;
   if (room) room.light(walkers.rows, walkers.count);
@@ -337,7 +340,10 @@ function frame(time) {
   last = time;
   resize();
   if (live) live.frame();
-  else if (!state.paused) state.now += step;
+  else if (minds && state.scene === ACTED) {
+    minds.walk(state.camera === "walk along" ? [camera.position.x, camera.position.z, fly.yaw + Math.PI] : null);
+    if (!state.paused) state.now = minds.go_on(state.now, step);
+  } else if (!state.paused) state.now += step;
   steer(step);
   draw();
   frames++;
@@ -532,6 +538,7 @@ function buildKnobs() {
   if (!live) document.querySelector("#knobs").append(slider);
   if (live) knob("order", () => { const order = window.prompt("Order, as in a scenario: school goes to door"); if (order) live.order(order); });
   if (!live) knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
+  for (const name of minds ? minds.events : []) knob(name, () => minds.happen(name));
   knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
   if (acted) knob("sound", async (made) => {
     if (!sound) sound = await soundOf(echo, echoHeard, voices);

@@ -16,7 +16,9 @@ function bytesOf(name) {
   return bytes;
 }
 
-const TYPES = { uint8: Uint8Array, uint16: Uint16Array, int16: Int16Array, uint32: Uint32Array, float32: Float32Array };
+const TYPES = {
+  uint8: Uint8Array, uint16: Uint16Array, int16: Int16Array, uint32: Uint32Array, int32: Int32Array, float32: Float32Array, float64: Float64Array,
+};
 
 async function arraysOf(bytes, told) {
   const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));

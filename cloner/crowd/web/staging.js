@@ -66,3 +66,28 @@ function stagingOf(told, statures) {
     film: told.film || null,
   };
 }
+
+const AWAKENS_S = 4, NEVER_S = 1e9; // a statue awakes in so long
+
+// Statues of a scenario that goes on sleep until it is told that they awake; `told` is the pack's staging, or null.
+function statuesOf(told, staging, acted) {
+  const stone = told ? told.stone : [], start = stone.map(([who]) => acted.first(who));
+  function put(k, at, keys) {
+    staging.wakes.set(stone[k][0], at);
+    stone[k][1] = keys;
+  }
+  return {
+    who: new Set(stone.map(([who]) => who)),
+    begin() {
+      stone.forEach(([who], k) => {
+        const still = new Float32Array(FOOTING);
+        still.set(start[k]);
+        still[UNTIL] = Infinity;
+        acted.begin(who, still);
+        put(k, NEVER_S, [[0, 1]]);
+      });
+    },
+    awake(name, at) { if (told && told.things.includes(name)) put(told.things.indexOf(name), at, [[at, 1], [at + AWAKENS_S, 0]]); },
+    sleep(name) { if (told && told.things.includes(name)) put(told.things.indexOf(name), NEVER_S, [[0, 1]]); },
+  };
+}

@@ -14,6 +14,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.acting.tracks import feet_of
 from cloner.behaviour.feet import RATE_HZ, SEEN_S, Feet, taken
 from cloner.behaviour.guests import guests
 from cloner.behaviour.loop import run
@@ -128,17 +129,5 @@ def minds_of(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[Mappin
     """
     if scenario.people() > len(acted.people):
         raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", "scene")
-    feet = feet_of(acted, clips, scenario.people())
+    feet = feet_of(acted, clips, scenario.people(), spare=SPARE)
     return Minds(world_of(scenario, seed, feet), feet)
-
-
-def feet_of(acted: Acted, clips: Sequence[Mapping[str, Any]], people: int) -> Feet:
-    """Return the feet of the first people of a pack."""
-    names = [str(one["name"]) for one in clips]
-    rows = acted.people[:people, 1].astype(np.float64)
-    return Feet(
-        acted.touches, acted.clips, rows[:, 2].astype(np.int64), rows[:, 3], rows[:, 1],
-        still={str(one["name"]): k for k, one in enumerate(clips) if not one["speed_m_s"]},
-        walks={name.removeprefix("walk_"): k for k, name in enumerate(names) if name.startswith("walk_")},
-        run=names.index("run") if "run" in names else -1, spare=SPARE,
-    )  # fmt: skip

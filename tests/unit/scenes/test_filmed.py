@@ -212,7 +212,7 @@ def test_statues_of_a_scenario_are_clones_in_stone_that_awake(cast: Path, tmp_pa
     assert staging is not None
     assert room.corners[:, 1].max() < 0.1, "the block is not drawn"
     acted = read_acted(tmp_path / "built", facts)
-    before, after = staging.rows(acted, 1.0)[2], staging.rows(acted, 7.0)[2]
+    before, after = staging.rows(acted, 1.0)[3], staging.rows(acted, 7.0)[3]  # after two people and a guest
     assert before[0, 1:3] == pytest.approx([1.0, -5.0])
     assert before[0, 3] == pytest.approx(np.pi / 2.0), "it faces the middle of the floor"
     assert before[4, 1:3] == pytest.approx([1.0, 0.5])

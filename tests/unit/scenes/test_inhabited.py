@@ -46,7 +46,7 @@ def drawn(pack: Path, view=EYE, lit: bool = True) -> np.ndarray:
 
 
 def test_the_pack_is_whole_and_no_block_stands_in_the_room(built: Path) -> None:
-    assert check_pack(built)[-1].startswith("scenario: 4 people act 3 s in ")
+    assert check_pack(built)[-1].startswith("scenario: 5 people act 3 s in ")
     facts = read_facts(built)
     assert len(read_acted(built, facts).blocks) == 0
     room = read_room(built, facts)
