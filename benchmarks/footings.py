@@ -1,6 +1,6 @@
 """How feet stand in a pack that acts: python benchmarks/footings.py PACK WALK (with tests/ on PYTHONPATH).
 
-PACK is what ``cloner crowd --feelings`` wrote, WALK what ``cloner behave run`` wrote. First each clone walks each
+PACK is what ``cloner crowd --feelings`` wrote, WALK what ``cloner crowd run`` wrote. First each clone walks each
 feeling's walk on straight and bent ways, faster and slower than its own; then the walk is baked and every ninth person
 is measured. Slides are the strict ruler's (`cloner.motion.moves.slide`), millimetres a step, mean / worst; how far
 bodies are from where the trajectories have them, metres.

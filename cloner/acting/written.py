@@ -1,4 +1,4 @@
-"""The command ``cloner behave bake``: trajectories or a scenario, and a pack, become a pack whose page plays them."""
+"""The command ``cloner crowd bake``: trajectories or a scenario, and a pack, become a pack whose page plays them."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def bake_file(
     Parameters
     ----------
     source : Path
-        What ``cloner behave run`` wrote, or a scenario's text, which is run first.
+        What ``cloner crowd run`` wrote, or a scenario's text, which is run first.
     pack : Path
         What ``cloner crowd --feelings`` wrote.
     out : Path
@@ -188,7 +188,7 @@ def _holds_trajectories(source: Path) -> bool:
         with open_outside(source) as stream:
             return stream.read(len(MAGIC)) == MAGIC
     except OSError as error:
-        hint = "Give what cloner behave run wrote, or a scenario"
+        hint = "Give what cloner crowd run wrote, or a scenario"
         raise ClonerError("there is nothing to bake", hint, source.name) from error
 
 

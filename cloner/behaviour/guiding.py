@@ -185,7 +185,7 @@ def _receive(desk: Desk, guest: Any) -> None:
     try:
         if not _knows_token(desk, guest):
             time.sleep(WRONG_TOKEN_S)
-            guest.close(NOT_ALLOWED, "the first message tells the token that cloner behave guide printed")
+            guest.close(NOT_ALLOWED, "the first message tells the token that cloner crowd guide printed")
             return
         guest.send(json.dumps({"welcome": True}))
         while not desk.over.is_set():

@@ -34,7 +34,7 @@ MOST_VALUES: Final = 400_000_000
 #: More corners of obstacles than a plan has, and places farther away, metres; they bound what a hostile file can ask.
 MOST_CORNERS: Final = 5_000
 FARTHEST_M: Final = 1e6
-_AGAIN: Final = "Write it again with cloner behave run"
+_AGAIN: Final = "Write it again with cloner crowd run"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

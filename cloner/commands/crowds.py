@@ -1,21 +1,37 @@
-"""``cloner crowd``, ``crowd-check`` and ``behave``: packs of clones, and scenarios that they act."""
+"""The commands of ``cloner crowd``: packs of clones, and scenarios that they act."""
 
 from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+import typer.core
 
 from cloner.commands.options import at_once, say
 from cloner.terminal import ProgressLine
 
-behaves = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Crowds with a mind: scenarios.")
+
+class _Makes(typer.core.TyperGroup):
+    """``cloner crowd RESULTS...`` makes a pack: the word ``make`` may be left out."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Add the word, unless another command or help is asked for."""
+        if args and args[0] not in {*self.commands, "--help"}:
+            args = ["make", *args]
+        return super().parse_args(ctx, args)
+
+
+crowds = typer.Typer(
+    cls=_Makes, no_args_is_help=True, rich_markup_mode=None,
+    help="Crowds of clones, and scenarios that they act: cloner crowd RESULTS... --out PACK makes a crowd.",
+)  # fmt: skip
 ScenarioArgument = Annotated[Path, typer.Argument(metavar="SCENARIO", help="Its text, such as samples/museum.crowd.")]
 
 
-def crowd(
+@crowds.command("make")
+def _make(
     results: Annotated[list[Path], typer.Argument(metavar="RESULTS...", help="Result folders, or a batch's output.")],
     out: Annotated[Path, typer.Option("--out", help="Folder of the pack to write.")],
     people: Annotated[int, typer.Option("--people", help="How many people the player starts with.")] = 5000,
@@ -26,14 +42,17 @@ def crowd(
     scene: Annotated[str, typer.Option("--scene", help="walk, plaza or stadium.")] = "plaza",
     vat: Annotated[bool, typer.Option("--vat", help="Vertex animation textures for engines too.")] = False,
     walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
-    feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
+    feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for crowd bake.")] = False,
     classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
     compressed: Annotated[bool, typer.Option("--compressed", help="A third of a card's memory, less fine.")] = False,
     mirror: Annotated[bool, typer.Option("--mirror", help="Impostors of one side where both look alike.")] = False,
     statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
     faces: Annotated[bool, typer.Option("--faces", help="Faces that show feelings and can speak in films.")] = False,
 ) -> None:
-    """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
+    """Make a crowd of finished clones: a page for browsers, levels and impostors for engines.
+
+    The word make may be left out.
+    """
     from cloner.crowd.packs.pack import make_pack
     from cloner.crowd.packs.wanted import Wanted, rings_of
 
@@ -63,23 +82,23 @@ def crowd(
     typer.echo(str(out / "player.html"))
 
 
-def crowd_check(pack: Annotated[Path, typer.Argument(metavar="PACK", help="Folder that cloner crowd wrote.")]) -> None:
-    """Say whether a crowd's pack is whole, and what is in it."""
-    from cloner.crowd.packs.check import check_pack
+@crowds.command("check")
+def _check(
+    path: Annotated[Path, typer.Argument(metavar="SCENARIO", help="A scenario, or a folder that cloner crowd wrote.")],
+) -> None:
+    """Say what a scenario holds, or what is wrong with it and where; or whether a crowd's folder is whole."""
+    if path.is_dir():
+        from cloner.crowd.packs.check import check_pack
 
-    say(check_pack(pack))
+        say(check_pack(path))
+    else:
+        from cloner.behaviour.written import check_file
+
+        say(check_file(path))
 
 
-@behaves.command("check")
-def _behave_check(scenario: ScenarioArgument) -> None:
-    """Say what a scenario holds, or what is wrong with it and where."""
-    from cloner.behaviour.written import check_file
-
-    say(check_file(scenario))
-
-
-@behaves.command("run")
-def _behave_run(
+@crowds.command("run")
+def _run(
     scenario: ScenarioArgument,
     out: Annotated[Path, typer.Option("--out", help="The file of trajectories to write.")],
     seconds: Annotated[float, typer.Option("--seconds", help="How long.")] = 60.0,
@@ -95,8 +114,8 @@ def _behave_run(
     say(lines)
 
 
-@behaves.command("guide")
-def _behave_guide(
+@crowds.command("guide")
+def _guide(
     scenario: ScenarioArgument,
     out: Annotated[Path, typer.Option("--out", help="The file of trajectories to write at the end.")],
     seconds: Annotated[float, typer.Option("--seconds", help="How long at most.")] = 3600.0,
@@ -110,9 +129,9 @@ def _behave_guide(
         typer.echo(line)
 
 
-@behaves.command("bake")
-def _behave_bake(
-    source: Annotated[Path, typer.Argument(metavar="WALK", help="What behave run wrote, or a scenario's text.")],
+@crowds.command("bake")
+def _bake(
+    source: Annotated[Path, typer.Argument(metavar="WALK", help="What crowd run wrote, or a scenario's text.")],
     pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote.")],
     out: Annotated[Path, typer.Option("--out", help="Folder of the new pack, whose page plays it.")],
     seconds: Annotated[float, typer.Option("--seconds", help="How long, for a scenario.")] = 60.0,

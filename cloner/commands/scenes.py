@@ -48,11 +48,11 @@ def _sound(folder: FolderArgument) -> None:
 @scenes.command("build")
 def _build(
     folder: FolderArgument,
-    walk: Annotated[Path, typer.Option("--walk", help="What behave run wrote, or a scenario's text.")],
+    walk: Annotated[Path, typer.Option("--walk", help="What crowd run wrote, or a scenario's text.")],
     pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote.")],
     out: Annotated[Path, typer.Option("--out", help="Folder of the new pack, whose page shows it.")],
     seconds: Annotated[float, typer.Option("--seconds", help="How long, for a scenario.")] = 60.0,
-    seed: Annotated[int, typer.Option("--seed", help="As for behave run, for a scenario.")] = 0,
+    seed: Annotated[int, typer.Option("--seed", help="As for crowd run, for a scenario.")] = 0,
 ) -> None:
     """Let a pack's clones act in a lit room, in a page for browsers."""
     from cloner.scenes.inhabited import build_folder

@@ -105,7 +105,7 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
         If it acts nothing, or the file is missing, damaged or does not fit the clones.
     """
     if "acted" not in facts:
-        raise ClonerError("the crowd acts no scenario", "Make one with cloner behave bake", pack.name)
+        raise ClonerError("the crowd acts no scenario", "Make one with cloner crowd bake", pack.name)
     try:
         acted = Acted(**unpacked(checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
         if not fits(acted, [len(row["clips"]) for row in facts["people"]]):

@@ -1,4 +1,4 @@
-"""``cloner behave bake``: a pack that acts a scenario, whole, the same twice, and refused where it should be."""
+"""``cloner crowd bake``: a pack that acts a scenario, whole, the same twice, and refused where it should be."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def test_bad_words_end_in_one_sentence(walk: Path, lively: Path, scenario: Path,
     (tmp_path / "hostile.walk").write_bytes(pack(hostile))
     with pytest.raises(ClonerError, match="that it does not name"):
         bake_file(tmp_path / "hostile.walk", lively, tmp_path / "out")
-    done = CliRunner().invoke(app, ["behave", "bake", str(scenario), "--pack", str(tmp_path), "--out", "x"])
+    done = CliRunner().invoke(app, ["crowd", "bake", str(scenario), "--pack", str(tmp_path), "--out", "x"])
     assert isinstance(done.exception, ClonerError)
     copy = tmp_path / "copy"
     shutil.copytree(lively, copy)
