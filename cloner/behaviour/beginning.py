@@ -25,7 +25,12 @@ def beginning(world: World) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
         Those that are not all zero; bytes for truth values.
     """
     rows = world.core.arrays
-    facts = world.core.begun | {"arrays": [[name, kind, int(rows[name].size)] for name, kind, _ in ARRAYS]}
     kept = {name: own.view(np.uint8) if own.dtype == bool else own.copy() for name, own in rows.items()
             if name not in _MADE and own.any()}  # fmt: skip
-    return facts, kept
+    return begun(world), kept
+
+
+def begun(world: World) -> dict[str, Any]:
+    """Return with what a world's engine was made, and name, type and size of each array that it lends, in turn."""
+    rows = world.core.arrays
+    return world.core.begun | {"arrays": [[name, kind, int(rows[name].size)] for name, kind, _ in ARRAYS]}

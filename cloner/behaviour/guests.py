@@ -27,13 +27,13 @@ def receive(world: World, who: int, place: tuple[float, float], facing: tuple[fl
     place, facing : (2,)
         Metres on the plan, and a unit direction.
     """
-    world.core.call("come", who, *place, *facing)
+    world.hear("come", who, *place, *facing)
 
 
 def leave(world: World, who: int) -> None:
     """Let a guest be gone."""
     if who >= 0:
-        world.core.call("depart", who)
+        world.hear("depart", who)
 
 
 def guests(world: World) -> int:

@@ -16,7 +16,8 @@ def step(world: World) -> None:
     """Let .05 s pass."""
     while world.guided:
         action = world.guided[0]
-        if not world.core.call("guide", *world.names.row_of(action), action.seconds):
+        if not world.hear("guide", *world.names.row_of(action), action.seconds):
+            world.log.pop()
             break  # as many as the engine takes at once
         world.guided.popleft()
     world.core.call("live")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass, field
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
@@ -75,7 +75,8 @@ class World:
     """A running scenario. ``seed`` decides all that is random; ``steps`` of `STEP_S` have been made.
 
     ``orders`` holds of each of `CHANNELS` what each of `LEVELS` orders everybody, (4, n); ``told`` what happened;
-    ``guided`` orders from outside that wait for the next step.
+    ``guided`` orders from outside that wait for the next step. ``log`` is all that came from outside, in turn: before
+    which step, what of the engine was called, and with which values; who does the same goes the same steps.
     """
 
     scenario: Scenario
@@ -89,6 +90,7 @@ class World:
     steps: int = 0
     told: list[tuple[float, str]] = field(default_factory=list)
     guided: deque[Action] = field(default_factory=deque)
+    log: list[tuple[int, str, tuple[Any, ...]]] = field(default_factory=list)
 
     @property
     def core(self) -> Core:
@@ -120,6 +122,11 @@ class World:
                 int(arrays["follows"][k]),
             ))  # fmt: skip
         return found
+
+    def hear(self, name: str, *values: float) -> Any:
+        """Let the engine hear of something from outside, and keep it in the log."""
+        self.log.append((self.steps, name, values))
+        return self.core.call(name, *values)
 
     def members(self, band: int) -> Indices:
         """Return the people of a group who are there."""

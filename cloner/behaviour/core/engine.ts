@@ -6,7 +6,7 @@
 // engine of WebAssembly rounds alike, and random numbers of its own: the same input gives the same bits.
 
 import { arrangeFeet } from "./feet/state";
-import { arrange } from "./memory";
+import { arrange, arrangeGround } from "./memory";
 import { arrangeSearch } from "./distances";
 import { findWays } from "./fields";
 import { castRays } from "./ground";
@@ -16,6 +16,7 @@ import { arrangeSorting } from "./minds/members";
 import { arrangeMinds } from "./minds/state";
 
 export { at, counts } from "./memory";
+export { keep, resume, sum } from "./state";
 export { step } from "./walkers";
 export { halt, stride, watch } from "./feet/watching";
 export { come, depart, freeGuest } from "./minds/guests";
@@ -24,10 +25,11 @@ export { guide, live } from "./minds/loop";
 export function begin(x: f64, y: f64, periodM: f64, seed: u64): void {
   arrange(x, y, periodM, seed);
   arrangeGrid();
-  arrangeSearch();
   arrangeMinds();
   arrangeSorting();
   arrangeFeet();
+  arrangeGround();
+  arrangeSearch();
   spreadFan();
 }
 

@@ -32,9 +32,6 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
     ("spotted", "|b1", ("people",)), ("settled", "|b1", ("people",)), ("direct", "|b1", ("people",)),
     ("wanders", "|b1", ("people",)), ("looks", "|b1", ("people",)), ("slow", "<i4", ("people",)),
     ("others", "<i4", ("people", 16)),
-    ("clear", "<f8", ("rows", "cols")), ("distance", "<f8", ("rows", "cols")),
-    ("near", "<i4", ("rows", "cols", "reach")), ("walls", "<f8", ("walls", 4)),
-    ("fields", "<f8", ("places", "rows", "cols", 2)), ("regions", "|b1", ("places", "rows", "cols")),
     ("band", "<i4", ("people",)), ("home", "<i4", ("people",)), ("emotion", "<i4", ("people",)),
     ("value", "<f8", ("people",)), ("vigour", "<f8", ("people",)), ("domination", "<f8", ("people",)),
     ("visited", "<i4", ("people",)), ("phase", "<i4", ("people",)), ("until", "<f8", ("people",)),
@@ -63,6 +60,9 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
     ("act_clip", "<i4", ("acts",)), ("walk_clip", "<i4", ("emotions",)),
     ("footings", "<f4", ("footings", 14)), ("foot_numbers", "<i4", (2,)), ("last_seen", "<i4", ("walkers",)),
     ("clock", "<f8", ("walkers",)),
+    ("clear", "<f8", ("rows", "cols")), ("distance", "<f8", ("rows", "cols")),
+    ("near", "<i4", ("rows", "cols", "reach")), ("walls", "<f8", ("walls", 4)),
+    ("fields", "<f8", ("places", "rows", "cols", 2)), ("regions", "|b1", ("places", "rows", "cols")),
 )  # fmt: skip
 #: A module's memory ends at 4 GiB. What it does not lend takes so many bytes a cell, a person, a person's frame.
 _LARGEST_BYTES: Final = 4_000_000_000
@@ -137,6 +137,11 @@ class Core:
     def call(self, name: str, *values: float) -> Any:
         """Call what the module exports (core/engine.ts): ready, lead, step, live, guide, come, depart, ..."""
         return self._exports[name](self._store, *values)
+
+    def kept(self) -> bytes:
+        """Return all that changes: another host that began with the same counts and ground can go on from it."""
+        memory: Memory = self._exports["memory"]
+        return bytes(memory.read(self._store, 0, self._exports["keep"](self._store)))
 
 
 def shapes_of(counts: Mapping[str, int]) -> dict[str, tuple[str, tuple[int, ...]]]:

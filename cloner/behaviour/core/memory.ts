@@ -90,24 +90,34 @@ export function lend(bytes: usize): usize {
   return found;
 }
 
-/** Take all arrays of bodies and ground. Called once. */
+/** Take all arrays of bodies. Called once. */
 export function arrange(x: f64, y: f64, periodM: f64, number: u64): void {
   people = count(0); rows = count(1); cols = count(2); reach = count(4); places = count(5);
   lowX = x; lowY = y; period = periodM; seed = number;
-  const n = <usize>people, c = <usize>rows * <usize>cols, p = <usize>places;
+  const n = <usize>people;
   place = lend(n * 16); velocity = lend(n * 16); way = lend(n * 16); wants = lend(n * 8); own = lend(n * 8);
   radius = lend(n * 8); target = lend(n * 16); facing = lend(n * 16); look = lend(n * 16); goal = lend(n * 4);
   present = lend(n); avoids = lend(n); spotted = lend(n); settled = lend(n); direct = lend(n);
   wanders = lend(n); looks = lend(n); slow = lend(n * 4); others = lend(n * <usize>NEAREST * 4);
-  clear = lend(c * 8); distance = lend(c * 8); near = lend(c * <usize>reach * 4); walls = lend(<usize>count(3) * 32);
-  fields = lend(p * c * 16); regions = lend(p * c);
   heading = take(n * 16); pace = take(n * 8); ahead = take(n * 8); curve = take(n * 32); turn = take(n * 8);
   moved = take(n * 16); here = take(n * 4);
+}
+
+/** Take all arrays of the ground, which stays as it is. Called last: all that changes lies before it. */
+export function arrangeGround(): void {
+  const c = <usize>rows * <usize>cols, p = <usize>places;
+  ground = top;
+  clear = lend(c * 8); distance = lend(c * 8); near = lend(c * <usize>reach * 4); walls = lend(<usize>count(3) * 32);
+  fields = lend(p * c * 16); regions = lend(p * c);
   free = take(c * 256); after = take(c * 4); spare = take(c * 16);
 }
 
-/** Count a step. */
+/** Where the ground's arrays begin. */
+export let ground: usize = 0;
+
+/** Count a step, or go on from one. */
 export function tick(): void { steps++; }
+export function setSteps(count: i32): void { steps = count; }
 
 /** Where the k-th array that is lent lies. */
 export function at(kind: i32): usize { return <usize>i(LENT, kind); }

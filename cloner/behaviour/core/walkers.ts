@@ -24,7 +24,9 @@ const APART: f64 = 0.4;
 const ASIDE: f64 = 0.5;
 const TOUCHING: i32 = 8; // neighbours that can touch a body of .2 m at once
 
-let known: i32 = -1; // how many people the table of neighbours is of
+/** How many people the table of neighbours is of. */
+export let known: i32 = -1;
+export function setKnown(count: i32): void { known = count; }
 
 /** Let .05 s pass. */
 export function step(): void {

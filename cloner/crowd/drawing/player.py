@@ -47,9 +47,9 @@ _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
 #: A page whose scenario goes on compiles its engine.
-_GOING_POLICY: Final = _POLICY.replace("'unsafe-inline';", "'unsafe-inline' 'wasm-unsafe-eval';", 1)
+_GOING_POLICY: Final = _POLICY.replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval'")
 #: A page that is served may ask its own server, and nobody else.
-_LIVE_POLICY: Final = _POLICY.replace("connect-src 'none'", "connect-src 'self'")
+_LIVE_POLICY: Final = _GOING_POLICY.replace("connect-src 'none'", "connect-src 'self'")
 
 
 def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
@@ -66,7 +66,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     names = [BODY_FILE, *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
     if "acted" in facts:
         names.append(ACTED_FILE)
-    goes_on = not facts.get("live") and MINDS_FILE in facts["files"]
+    goes_on = MINDS_FILE in facts["files"]
     if goes_on:
         names += [MINDS_FILE, ENGINE_FILE]
     if "spoken" in facts:

@@ -1,13 +1,14 @@
 "use strict";
-// A page that is served: the scene goes on, and clones come and go while it is shown. The camera finds who has come and
-// walks along; when nobody comes it shows the scene by turns; who touches the page looks around; all ends again when
+// A page that is served: the scene goes on, and clones come and go while it is shown. Its steps are the page's own: the
+// engine hears what came from outside, before the same step as everywhere. The camera finds who has come and walks along; when nobody comes it shows the scene by turns; who touches the page looks around; all ends again when
 // nobody does. A lost link is taken up again, and then everything is told anew.
 
 const FOLLOW_S = 45, SHOT_S = 14, IDLE_S = 30, LOST_S = 10, AGAIN_S = 0.5, PULL = 1.6, TURN_RAD_S = 0.02, LOOK_M = 1.15, EYE_M = 1.6; // taste
 const ASIDE = [0.5, -0.5, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6], AWAY_M = [3.4, 2.6, 1.9], BESIDE_M = 0.55, NEAR_M = 1.2, LOOKS_S = 1.5, WALK_EVERY_S = 0.5; // taste
-const OFF_S = 0.25; // a clock so far off is put right
+const OFF_S = 0.25, SLICE_MS = 8, LATE_MS = 3000; // a clock so far off is put right; steps at a time, and how long a newcomer's feet are waited for: taste
 
-function liveOf(statues) {
+// `module` is the engine, `tables` the scenario's numbers.
+function liveOf(statues, module, tables) {
   const clock = () => performance.now() / 1000;
   const own = facts.people.length, slots = [], newcomers = new Map(), parts = new Set(), turns = [];
   const before = acted.people.slice(), gone = new Set(), history = [], shots = Object.keys(VIEWS);
@@ -27,12 +28,18 @@ function liveOf(statues) {
     walkers.rows.set(row, who * 4 * PERSON_TEXELS);
   }
 
+  // A newcomer's numbers, asked for as soon as it is told of: the engine wants them when its part begins.
+  const feet = new Map();
+  function ask({ key, row }) {
+    if (!feet.has(key)) feet.set(key, read(key, "numbers.bin").then((bytes) => arraysOf(bytes, row.arrays)).catch(() => null));
+  }
+
   async function come(told) {
     if (newcomers.has(told.key)) return play(told);
     const [numbers, ...pictures] = await Promise.all([
-      read(told.key, "numbers.bin").then((bytes) => arraysOf(bytes, told.row.arrays)),
+      feet.get(told.key),
       ...["atlas", "codes", "shell"].map((name) => read(told.key, `${name}.webp`).then(pixelsIn))]);
-    if (gone.has(told.key)) return;
+    if (gone.has(told.key) || !numbers) return;
     let slot = slots.indexOf(null);
     if (slot < 0) slot = slots.push(null) - 1;
     slots[slot] = told.key;
@@ -69,6 +76,7 @@ function liveOf(statues) {
   function leave(key) {
     const one = newcomers.get(key);
     gone.add(key);
+    feet.delete(key);
     if (!one) return;
     newcomers.delete(key);
     giveBack(one);
@@ -90,30 +98,77 @@ function liveOf(statues) {
   // One after another: textures are made anew each time.
   const queue = (what) => { line = line.then(what).catch((error) => console.warn(String(error))); };
 
-  function steps(told, put) {
+  function waysIn(told) {
     const all = new Float32Array(Uint8Array.from(atob(told.data), (one) => one.charCodeAt(0)).buffer);
     let at = 0;
     for (const [who, many] of told.of) {
-      put(who, all.subarray(at * FOOTING, (at + many) * FOOTING));
+      acted.begin(who, all.slice(at * FOOTING, (at + many) * FOOTING));
       at += many;
     }
-    if (Math.abs(told.now - clock() - offset) > OFF_S) offset = told.now - clock();
+  }
+
+  function keepTime(now) { if (Math.abs(now - clock() - offset) > OFF_S) offset = now - clock(); }
+
+  // ---- steps ----
+
+  let runner = null, running = Promise.resolve();
+  const after = (what) => { running = running.then(what).catch((error) => { console.warn(String(error)); link.close(); }); };
+
+  async function resume(told) {
+    const bytes = Uint8Array.from(atob(told.state), (one) => one.charCodeAt(0));
+    const plain = new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate")));
+    runner = runnerOf(await engineOf(module, told.begun, tables));
+    runner.resume(new Uint8Array(await plain.arrayBuffer()), told.until);
+  }
+
+  // Go on to a step; `log` is what came from outside before which one, `sum` what places add up to then.
+  async function goOn({ now, until, log, sum }) {
+    let rest = performance.now() + SLICE_MS;
+    for (const [step, name, ...values] of [...log, [until]]) {
+      while (runner.steps < step) {
+        runner.step();
+        if (performance.now() < rest) continue;
+        await new Promise((again) => setTimeout(again));
+        rest = performance.now() + SLICE_MS;
+      }
+      if (name === "dress") await dressFeet(...values);
+      else if (name) runner.core[name](...values);
+    }
+    if (runner.core.sum() >>> 0 !== sum) throw new Error("other steps than elsewhere"); // the link is taken up again
+    for (const [who, list] of gathered(runner.footings())) acted.go_on(who, new Float32Array(list), now);
+    for (const _ of runner.told()); // the server tells who awakes
+  }
+
+  // Feet of a newcomer, as the key tells, or one's own again.
+  async function dressFeet(who, look, scale, key) {
+    const { rows } = runner, kinds = facts.people[0].clips.length;
+    const put = (number, touches, clips) => {
+      rows.touches.set(touches, number * kinds * WALK_FRAMES * TOUCH);
+      rows.clips.set(clips, number * kinds * 2);
+    };
+    const own = key && (await Promise.race([feet.get(key), new Promise((late) => setTimeout(late, LATE_MS))]));
+    if (own) put(look, own.touches, own.clips);
+    if (!key) put(rows.look_of[who], new Float32Array(kinds * WALK_FRAMES * TOUCH), new Float32Array(kinds * 2)); // nothing is kept
+    rows.look_of[who] = look;
+    rows.scale[who] = scale;
   }
 
   const heard = {
     hello(told) {
       for (let who = 0; who < acted.count; who++) if (!statues.who.has(who)) acted.begin(who, new Float32Array(0));
-      steps(told, acted.begin);
+      waysIn(told);
+      keepTime(told.now);
+      after(() => resume(told));
       statues.begin();
       for (const one of told.awake) heard.awakes(one);
       const there = new Set(told.newcomers.map((one) => one.key));
       for (const key of newcomers.keys()) if (!there.has(key)) queue(() => leave(key));
-      for (const one of told.newcomers) { gone.delete(one.key); queue(() => come(one)); }
+      for (const one of told.newcomers) { gone.delete(one.key); ask(one); queue(() => come(one)); }
       if (lost !== null) rejoined = clock() - lost;
       lost = null;
     },
-    steps: (told) => steps(told, (who, own) => acted.go_on(who, own, told.now)),
-    come: (told) => queue(() => come(told)),
+    steps(told) { keepTime(told.now); after(() => goOn(told)); },
+    come(told) { ask(told); queue(() => come(told)); },
     plays: (told) => queue(() => play(told)),
     gone({ key }) { gone.add(key); queue(() => leave(key)); },
     awakes: ({ name, at }) => statues.awake(name, at),
@@ -265,5 +320,5 @@ function liveOf(statues) {
   shut();
   state.camera = "live";
   join();
-  return { order: (order) => tell({ order }), get rejoined() { return rejoined; }, cut: () => { rejoined = null; link.close(); }, get settled() { return !turns.length; }, frame, parts, newcomers, history, get own() { return own_part; }, get followed() { return followed; }, get staff() { return staff; } };
+  return { order: (order) => tell({ order }), get rejoined() { return rejoined; }, get runner() { return runner; }, cut: () => { rejoined = null; link.close(); }, get settled() { return !turns.length; }, frame, parts, newcomers, history, get own() { return own_part; }, get followed() { return followed; }, get staff() { return staff; } };
 }

@@ -7,44 +7,69 @@ const SEEN_S = 2, AHEAD_S = 3, ENGINE_STEP_S = 0.05, FRAME_STEPS = 2; // feet wa
 const SPARE_S = 0.5, SPEND_MS = 6, EMPTY_S = 5; // taste: how far behind it may fall, a frame's time, how long nobody is there
 const TOLD = { awakens: 0, sleeps: 1 }, EVENT = 15; // as core/minds/told.ts, rules.ts
 
+// An engine that goes on step by step, and what is new of it.
+function runnerOf({ core, rows }) {
+  let steps = 0;
+  return {
+    core, rows,
+    get steps() { return steps; },
+    get time() { return steps * ENGINE_STEP_S; },
+    step() {
+      if (!steps) core.watch();
+      core.live();
+      if (++steps % FRAME_STEPS === 0) core.watch();
+    },
+    // Go on from what another host kept after so many steps.
+    resume(bytes, count) {
+      new Uint8Array(core.memory.buffer).set(bytes);
+      core.resume();
+      steps = count;
+    },
+    // New footings: who, and the numbers of one.
+    *footings() {
+      core.stride(this.time - SEEN_S);
+      for (let k = 0; k < rows.foot_numbers[0]; k++) {
+        yield [rows.footings[k * (FOOTING + 1)], rows.footings.subarray(k * (FOOTING + 1) + 1, (k + 1) * (FOOTING + 1))];
+      }
+      rows.foot_numbers[0] = 0;
+    },
+    // What has happened: when, what, and which thing, event, point or group.
+    *told() {
+      for (let k = 0; k < rows.numbers[0]; k++) yield rows.told.subarray(4 * k, 4 * k + 3);
+      rows.numbers[0] = 0;
+    },
+  };
+}
+
+// Each person's new footings in line; one that is told again is longer now.
+function gathered(footings, ways = new Map()) {
+  for (const [who, row] of footings) {
+    if (!ways.has(who)) ways.set(who, []);
+    const list = ways.get(who), last = list.length - FOOTING;
+    if (last >= 0 && list[last + FROM] === row[FROM]) list.length = last;
+    list.push(...row);
+  }
+  return ways;
+}
+
 // `told` is the scenario in crowd.json; `statues` lets its things sleep and awake.
 async function mindsOf(module, told, tables, acted, statues) {
   const people = told.begun.counts[0], seconds = facts.acted.seconds;
-  const made = (round) => engineOf(module, { ...told.begun, seed: String(BigInt(told.begun.seed) + BigInt(round)) }, tables);
-  let engine = await made(0), steps = 0, round = 0, begun = false, caught = false, next = null, empty = 0;
+  const made = async (round) => runnerOf(await engineOf(module, { ...told.begun, seed: String(BigInt(told.begun.seed) + BigInt(round)) }, tables));
+  let engine = await made(0), round = 0, begun = false, caught = false, next = null, empty = 0;
   let visitor = null, part = -1, leaves = 0, orders = [], early = new Map(); // `part` is the visitor's, until it `leaves`
-  const welcome = engine.core.freeGuest() >= 0, time = () => steps * ENGINE_STEP_S;
+  const welcome = engine.core.freeGuest() >= 0;
 
-  function live() {
-    const { core } = engine;
-    if (!steps) core.watch();
-    core.live();
-    steps++;
-    if (steps % FRAME_STEPS === 0) core.watch();
-  }
-
-  // New footings, each person's one after another: kept until the engine has come to what is shown, then told.
+  // What is new: kept until the engine has come to what is shown, then told.
   function tell(now) {
-    const { core, rows } = engine;
-    core.stride(time() - SEEN_S);
-    for (let k = 0; k < rows.foot_numbers[0]; k++) {
-      const who = rows.footings[k * (FOOTING + 1)], row = rows.footings.subarray(k * (FOOTING + 1) + 1, (k + 1) * (FOOTING + 1));
-      if (!early.has(who)) early.set(who, []);
-      const list = early.get(who), last = list.length - FOOTING;
-      if (last >= 0 && list[last + FROM] === row[FROM]) list.length = last; // it has become longer
-      if (row[UNTIL] > now) list.push(...row);
-    }
-    rows.foot_numbers[0] = 0;
-    if (caught) {
-      for (const [who, list] of early) if (list.length) acted.go_on(who, new Float32Array(list), now);
-      early = new Map();
-    }
-    for (let k = 0; k < rows.numbers[0]; k++) {
-      const [when, what, which] = rows.told.subarray(4 * k, 4 * k + 3);
+    gathered(engine.footings(), early);
+    for (const [when, what, which] of engine.told()) {
       if (what === TOLD.awakens) statues.awake(told.things[which], when);
       if (what === TOLD.sleeps) statues.sleep(told.things[which]);
     }
-    rows.numbers[0] = 0;
+    if (!caught) return;
+    for (const [who, list] of early) acted.go_on(who, new Float32Array(list), now);
+    early = new Map();
   }
 
   function begin() {
@@ -63,7 +88,7 @@ async function mindsOf(module, told, tables, acted, statues) {
       if (part >= 0) core.come(part, visitor[0], -visitor[1], Math.sin(visitor[2]), -Math.cos(visitor[2]));
     } else if (part >= 0 && leaves === Infinity) {
       core.depart(part);
-      leaves = time();
+      leaves = engine.time;
     }
   }
 
@@ -72,9 +97,8 @@ async function mindsOf(module, told, tables, acted, statues) {
     if (next) return;
     next = made(++round).then((made) => {
       engine = made;
-      steps = empty = 0;
       part = -1;
-      leaves = 0;
+      empty = leaves = 0;
       caught = true;
       for (let who = 0; who < people; who++) acted.begin(who, new Float32Array(0));
       statues.begin();
@@ -87,21 +111,21 @@ async function mindsOf(module, told, tables, acted, statues) {
     events: told.events,
     get begun() { return begun; },
     get own() { return state.now < leaves + SPARE_S ? part : -1; }, // nobody sees the own body
-    get ahead() { return time(); },
+    get ahead() { return engine.time; },
     // Let time pass by a frame that lasts so long; return what is shown then.
     go_on(now, step) {
       if (now + step > seconds - AHEAD_S - 2 || orders.length || (visitor && welcome)) begin();
       if (!begun) return now + step;
       if (next) return now;
-      const until = performance.now() + SPEND_MS, before = steps;
-      caught = caught || time() >= now + AHEAD_S;
+      const until = performance.now() + SPEND_MS, before = engine.steps;
+      caught = caught || engine.time >= now + AHEAD_S;
       if (caught) hear();
-      while (time() < now + step + AHEAD_S && performance.now() < until) live();
-      if (steps > before) tell(now);
+      while (engine.time < now + step + AHEAD_S && performance.now() < until) engine.step();
+      if (engine.steps > before) tell(now);
       const there = engine.rows.present.some((one, who) => one && (who !== part || leaves < Infinity));
       empty = there ? 0 : empty + step;
       if (empty > EMPTY_S) anew();
-      return caught ? Math.max(now, Math.min(now + step, time() - AHEAD_S + SPARE_S)) : now + step;
+      return caught ? Math.max(now, Math.min(now + step, engine.time - AHEAD_S + SPARE_S)) : now + step;
     },
     happen(name) { orders.push(name); },
     // Who walks along is a guest whom people see and go round; `at` is x, z and heading, or null.

@@ -68,8 +68,11 @@ async function start(context) {
   setScene(state.scene, state.people);
   if (directed()) setCamera("film");
   const statues = acted ? statuesOf(facts.staging && facts.staging.things ? facts.staging : null, staging, acted) : null;
-  if (facts.live) live = liveOf(statues);
-  else if (held.has("minds.bin")) minds = await mindsOf(bytesOf("engine.wasm"), facts.scenario, await arraysOf(bytesOf("minds.bin"), facts.scenario.arrays), acted, statues);
+  if (held.has("minds.bin")) {
+    const engine = bytesOf("engine.wasm"), tables = await arraysOf(bytesOf("minds.bin"), facts.scenario.arrays);
+    if (facts.live) live = liveOf(statues, engine, tables);
+    else minds = await mindsOf(engine, facts.scenario, tables, acted, statues);
+  }
   buildKnobs();
   resize();
   view("overview");

@@ -1,8 +1,8 @@
 """A built scene that goes on while it is shown: its minds, who has come into it, and what pages are told.
 
-Pages are told what happens in order: footings a little ahead, who comes and goes, which statue awakes. Who opens a page
-later, or again, is told first how things stand. Nothing of a newcomer is written: its files lie in memory and are gone
-with it.
+Pages are told what happens in order: what came from outside before which step, so that their engines do the same steps;
+who comes and goes; which statue awakes. Who opens a page later, or again, is told first how things stand. Nothing of a
+newcomer is written: its files lie in memory and are gone with it.
 """
 
 from __future__ import annotations
@@ -19,11 +19,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.behaviour.beginning import begun
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.people import Found
-from cloner.crowd.drawing.player import player_page
+from cloner.crowd.drawing.player import MINDS_FILE, player_page
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import FROM, UNTIL
 from cloner.errors import ClonerError
@@ -31,7 +32,7 @@ from cloner.project.folder import safe_identifier
 from cloner.scenes.served.guests import Guests, Place
 from cloner.scenes.served.minds import Look, Minds, minds_of
 from cloner.scenes.served.newcomers import Mark, Newcomer, made_at, marks_of, newcomer_of
-from cloner.scenes.served.telling import described, steps_of
+from cloner.scenes.served.telling import described, state_of, steps_of
 
 #: So many newcomers are there at once; the one who came first makes place. Each is 3 MB of a page's textures; taste.
 MOST: Final = 12
@@ -99,6 +100,8 @@ class Living:
         try:
             told = self.facts["scenario"]
             self._scenario, self._seed = read_text(str(told["text"]), "the scene's scenario"), int(told["seed"])
+            if MINDS_FILE not in self.facts["files"]:
+                raise ValueError("an older version's")
         except (LookupError, TypeError, ValueError) as error:
             hint = "Build it from a scenario's text: cloner scene build --walk SCENARIO"
             raise ClonerError("the scene holds no scenario that could go on", hint, pack.name) from error
@@ -124,9 +127,11 @@ class Living:
         """Let the scenario begin; those who have come play other parts in it."""
         self._minds: Minds = minds_of(self._scenario, self._seed, self._acted, self.facts["people"][0]["clips"])
         self._guests, self._heard, self._seed = Guests(), 0, self._seed + 1
-        new = self._minds.go_on(0.0)
+        new, world = self._minds.go_on(0.0), self._minds.world
         with self._turn:
             self._begun, self._shown_s = time.monotonic(), 0.0
+            self._engine = begun(world)
+            self._kept = world.steps, world.core.kept()
             self._ways: dict[int, NDArray[np.float32]] = new
             self._awake: list[tuple[str, float]] = []
             for one in self._there.values():
@@ -154,12 +159,16 @@ class Living:
                 kept = self._ways.get(who, rows[:0])
                 kept = kept[(kept[:, UNTIL] > self._shown_s - PAST_S) & (kept[:, FROM] < rows[0, FROM])]
                 self._ways[who] = np.concatenate([kept, rows])
-            self._tell("steps", {"now": self.now(), **steps_of(new)})
-            for when, text in self._minds.world.told[self._heard :]:
+            world = self._minds.world
+            self._kept, log = (world.steps, world.core.kept()), [[at, name, *own] for at, name, own in world.log]
+            world.log.clear()
+            same = world.core.call("sum") & 0xFFFFFFFF
+            self._tell("steps", {"now": self.now(), "until": world.steps, "log": log, "sum": same})
+            for when, text in world.told[self._heard :]:
                 if text.endswith(AWAKENS):
                     self._awake.append((text.removesuffix(AWAKENS), when))
                     self._tell("awakes", {"name": text.removesuffix(AWAKENS), "at": when})
-            self._heard = len(self._minds.world.told)
+            self._heard = len(world.told)
             for key, one in self._there.items():
                 if self._minds.gone_s.get(one.who, np.inf) < self.now() and not self._minds.over():
                     self._cast(one)
@@ -186,7 +195,7 @@ class Living:
         taken = frozenset(other.who for other in self._there.values() if other.who >= 0)
         one.who = self._minds.goes(taken)
         look = Look(one.newcomer.touches, one.newcomer.clips, 1.0)
-        one.at_s = self._minds.dress(one.who, look)
+        one.at_s = self._minds.dress(one.who, look, one.told["key"])
 
     # ---- pages ----
 
@@ -220,7 +229,9 @@ class Living:
 
     def _hello(self) -> dict[str, Any]:
         there = [{**one.told, "who": one.who, "at": one.at_s, "fresh": False} for one in self._there.values()]
-        return {"now": self.now(), **steps_of(self._ways), "newcomers": there, "awake": self._awake}
+        until, kept = self._kept
+        return {"now": self.now(), "newcomers": there, "awake": self._awake, "begun": self._engine, "until": until,
+                "state": state_of(kept), **steps_of(self._ways)}  # fmt: skip
 
     def _tell(self, kind: str, what: dict[str, Any]) -> None:
         self._events.append((kind, what))

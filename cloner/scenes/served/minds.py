@@ -83,10 +83,15 @@ class Minds:
             raise ClonerError("nobody's part is free in the scene", "Take a scenario with more people", "scene")
         return best
 
-    def dress(self, who: int, look: Look | None) -> float:
-        """Give somebody other feet, None for the own ones; return from which time on, seconds."""
+    def dress(self, who: int, look: Look | None, key: str = "") -> float:
+        """Give somebody other feet, None for the own ones; return from which time on, seconds. ``key``: whose they are.
+
+        Nothing is kept of feet that are given back.
+        """
         arrays = self.world.core.arrays
-        self.dressed.pop(who, None)
+        before = self.dressed.pop(who, None)
+        if before is not None:
+            arrays["touches"][before], arrays["clips"][before] = 0.0, 0.0
         number, scale = int(self.feet.look[who]), float(self.feet.scale[who])
         if look is not None:
             first = len(self.feet.touches)
@@ -94,6 +99,7 @@ class Minds:
             arrays["touches"][number], arrays["clips"][number], scale = look.touches, look.clips, look.scale
             self.dressed[who] = number
         arrays["look_of"][who], arrays["scale"][who] = number, scale
+        self.world.log.append((self.world.steps, "dress", (who, number, scale, key)))
         return float(arrays["clock"][who])
 
     @property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import zlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,11 @@ def steps_of(ways: Mapping[int, NDArray[np.float32]]) -> dict[str, Any]:
     """Return people's footings as pages read them: who has how many, and all of them in line."""
     data = b"".join(rows.astype("<f4").tobytes() for rows in ways.values())
     return {"of": [[who, len(rows)] for who, rows in ways.items()], "data": base64.b64encode(data).decode("ascii")}
+
+
+def state_of(kept: bytes) -> str:
+    """Return an engine's memory as pages read it: deflated, mostly zeros."""
+    return base64.b64encode(zlib.compress(kept, 1)).decode("ascii")
 
 
 def described(pack: Path) -> Any:

@@ -241,8 +241,9 @@ def test_two_browsers_see_the_same_people_and_one_that_was_cut_off_is_back(built
         second.wait_for("live.rejoined === null", 10)
         second.wait_for("live.rejoined !== null", 10)
         assert second.value("live.rejoined") < 3.0
-        for _ in range(3):
-            time.sleep(1.0)
+        scene.order("walkers do wave for 3 s")
+        for _ in range(3):  # past what was told when the link was back: each page's own steps
+            time.sleep(2.5)
             at = f"{scene.now() - 0.5:.3f}"
             seen = [np.array(page.value(SEEN.replace("AT", at)), np.float32) for page in (first, second)]
             assert np.array_equal(seen[0], seen[1])
@@ -250,6 +251,10 @@ def test_two_browsers_see_the_same_people_and_one_that_was_cut_off_is_back(built
             assert (rows[:5, 0, 0] == 3.0).all(), "everybody is there"
             eve = rows[hello_of(scene)["newcomers"][0]["who"]]
             assert eve[1, 2] == 2.0, "the third clone, in both"
+        assert first.value("live.runner.core.sum()") != 0
+        runner = "window.before = live.runner; live.runner.rows.place[0] += 0.1"
+        second.value(runner)
+        second.wait_for("live.runner !== window.before", 20)  # it sees that it goes other steps, and asks anew
         assert not (first.complaints() + [one for one in second.complaints() if "live" not in one])
 
 

@@ -63,4 +63,6 @@ export function arrangeFeet(): void {
   hasRow = take(n); toldUntil = take(n * 8);
 }
 
+/** Count a frame, or go on from one. */
 export function countFrame(): i32 { return frames++; }
+export function setFrames(count: i32): void { frames = count; }

@@ -15,7 +15,8 @@ export const CHANNELS: i32 = 5;
 export const NONE: f64 = -1.0;
 
 /** The first moment at which an order ends, s. */
-let soonest: f64 = Infinity;
+export let soonest: f64 = Infinity;
+export function setSoonest(end: f64): void { soonest = end; }
 
 // @ts-ignore: decorator
 @inline function row(level: i32, channel: i32, one: i32): i32 { return (channel * LEVELS + level) * people + one; }

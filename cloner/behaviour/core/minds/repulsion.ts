@@ -9,7 +9,8 @@ import { FREE, tell } from "./told";
 const MOST: i32 = 64; // regions that are cleared at once
 const cleared = memory.data(MOST * 4);
 const until = memory.data(MOST * 8);
-let count: i32 = 0;
+export let count: i32 = 0;
+export function setCount(regions: i32): void { count = regions; }
 
 /** Clear a region until a time. */
 export function keepClear(region: i32, end: f64): void {
