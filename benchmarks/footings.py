@@ -17,7 +17,8 @@ import numpy as np
 from cloner.acting.tracks import Track, footings_on
 from cloner.acting.written import acted_by
 from cloner.behaviour.feet import Feet
-from cloner.behaviour.trajectories import RATE_HZ, Trajectories, read_trajectories
+from cloner.behaviour.trajectories import Trajectories, read_trajectories
+from cloner.behaviour.walking import RATE_HZ
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.footing import BY_FOOTINGS, Acted, rows_at, touches_of
 from cloner.crowd.staged.scene import IDLE

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.feet import Bodies, Feet, footings_of
+from cloner.behaviour.feet import Feet, Motions, footings_of
 from cloner.crowd.staged.footing import Acted
 from cloner.pipeline import Progress, quiet
 from cloner.records.arrays import Array
@@ -45,7 +45,7 @@ def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = quiet)
         place[rows, who] = one.places_m * (1.0, -1.0)
         facing[rows, who] = np.stack([np.sin(one.headings), -np.cos(one.headings)], axis=1)
         present[rows, who], acts[rows, who], walks[rows, who] = True, one.acts, one.walks
-    return footings_of(Bodies(place, facing, present, acts, walks), feet, progress)
+    return footings_of(Motions(place, facing, present, acts, walks), feet, progress)
 
 
 def feet_of(acted: Acted, clips: Sequence[Mapping[str, Any]], people: int, *, spare: int = 0) -> Feet:

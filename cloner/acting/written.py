@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from cloner.acting.blocks import blocks_of
 from cloner.acting.going_on import GoingOn, going_on, welcoming
-from cloner.behaviour.feet import Bodies, Feet, footings_of
+from cloner.behaviour.feet import Feet, Motions, footings_of
 from cloner.behaviour.language import read_scenario, read_text, scenario_text
-from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
+from cloner.behaviour.trajectories import MAGIC, Trajectories, read_trajectories
+from cloner.behaviour.walking import RATE_HZ
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
 from cloner.crowd.drawing.player import ACTED_FILE, BODY_FILE, player_page
@@ -230,7 +231,7 @@ def acted_by(
     walks = np.array([names.index(one) if one in names else WALK for one in styles])
     looks = rows[:, 1].astype(np.float64)
     feet = Feet(touches, clips, looks[:, 2].astype(np.int64), looks[:, 3], looks[:, 1], {}, {}, run)
-    done = Bodies(walk.place, walk.facing, walk.present, acts[walk.posture], walks[walk.emotion])
+    done = Motions(walk.place, walk.facing, walk.present, acts[walk.posture], walks[walk.emotion])
     found = footings_of(done, feet, progress)
     starts = np.cumsum([0, *map(len, found)])
     missing = sorted({one for one in walk.walks if one != "regular" and f"walk_{one}" not in names})

@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 from cloner.behaviour.core.host import Core
 from cloner.behaviour.dice import Indices
 from cloner.behaviour.ground import Mask
+from cloner.behaviour.walking import RATE_HZ
 from cloner.pipeline import Progress, quiet
 from cloner.records.arrays import Array
 
 #: So far beyond a footing's begin the track is looked at, seconds: the pace's .9, and the second after it.
 SEEN_S: Final = 2.0
-#: Frames of a track a second, and how many are kept: feet are never farther behind the bodies.
-RATE_HZ: Final = 10
+#: Frames of a track that are kept: feet are never farther behind the bodies.
 KEPT: Final = 80
 #: While many are baked, footings are taken from the engine after so many frames.
 _TAKEN: Final = 10
@@ -80,7 +80,7 @@ class Feet:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Bodies:
+class Motions:
     """What bodies do, ten times a second: (f, n) a frame and person.
 
     ``place`` (f, n, 2) metres on the plan and ``facing`` (f, n, 2); who is ``present``; ``acts`` the clip of what is
@@ -94,7 +94,7 @@ class Bodies:
     walks: Indices
 
 
-def footings_of(done: Bodies, feet: Feet, progress: Progress = quiet) -> list[Rows]:
+def footings_of(done: Motions, feet: Feet, progress: Progress = quiet) -> list[Rows]:
     """Return everybody's footings of what was done, each (m, 13) float32, from the first frame to the last."""
     frames, people = done.present.shape
     kinds = feet.clips.shape[1]

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from cloner.behaviour.ground import BODY_M
 from cloner.behaviour.model import Scenario
-from cloner.behaviour.trajectories import RATE_HZ, Trajectories
+from cloner.behaviour.trajectories import Trajectories
+from cloner.behaviour.walking import RATE_HZ
 
 Pixels = NDArray[np.uint8]
 

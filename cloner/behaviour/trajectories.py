@@ -17,15 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.model import XY
-from cloner.behaviour.walking import STEP_S
+from cloner.behaviour.walking import RATE_HZ, STEP_S
 from cloner.behaviour.world import World
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
 from cloner.records.arrays import Array
 
 MAGIC: Final = b"CLNRWLK1"
-#: Files hold so many places a second, in such metres: 10.2 bytes a person and second, 1 mm off (walkers §2).
-RATE_HZ: Final = 10
+#: Files hold `RATE_HZ` places a second, in such metres: 10.2 bytes a person and second, 1 mm off (walkers §2).
 UNIT_M: Final = 0.002
 STEPS: Final = round(1.0 / RATE_HZ / STEP_S)
 #: An hour of 20,000 people is less.

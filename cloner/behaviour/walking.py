@@ -12,7 +12,9 @@ from cloner.behaviour.core.host import Core
 from cloner.behaviour.ground import BODY_M, Ground, Mask
 from cloner.records.arrays import Array
 
-STEP_S: Final = 0.05  # seconds of one step of the core, which counts in it (core/walkers.ts); two make a frame of files
+#: Seconds of one step of the engine, which counts in it (core/memory.ts), and frames a second of files and feet.
+STEP_S: Final = 0.05
+RATE_HZ: Final = 10
 #: Goals that are no place: none, and a direction that is given in `Bodies.way`.
 NOWHERE, GIVEN = -1, -2
 

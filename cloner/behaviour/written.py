@@ -14,7 +14,8 @@ from cloner.behaviour.language import read_scenario
 from cloner.behaviour.loop import digest, run
 from cloner.behaviour.model import Scenario
 from cloner.behaviour.plan import Plan
-from cloner.behaviour.trajectories import RATE_HZ, Recorder, Trajectories, pack
+from cloner.behaviour.trajectories import Recorder, Trajectories, pack
+from cloner.behaviour.walking import RATE_HZ
 from cloner.behaviour.world import World, world_of
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes

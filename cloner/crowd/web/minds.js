@@ -53,12 +53,11 @@ function gathered(footings, ways = new Map()) {
 }
 
 // `told` is the scenario in crowd.json; `statues` lets its things sleep and awake.
-async function mindsOf(module, told, tables, acted, statues) {
+function mindsOf(module, told, tables, acted, statues) {
   const people = told.begun.counts[0], seconds = facts.acted.seconds;
   const made = async (round) => runnerOf(await engineOf(module, { ...told.begun, seed: String(BigInt(told.begun.seed) + BigInt(round)) }, tables));
-  let engine = await made(0), round = 0, begun = false, caught = false, next = null, empty = 0;
+  let engine = null, round = 0, begun = false, caught = false, next = null, empty = 0;
   let visitor = null, part = -1, leaves = 0, orders = [], early = new Map(); // `part` is the visitor's, until it `leaves`
-  const welcome = engine.core.freeGuest() >= 0;
 
   // What is new: kept until the engine has come to what is shown, then told.
   function tell(now) {
@@ -76,6 +75,7 @@ async function mindsOf(module, told, tables, acted, statues) {
     if (begun) return;
     begun = true;
     statues.begin();
+    made(0).then((made) => { engine = made; });
   }
 
   // What was wished since the last frame: events, and where the visitor is.
@@ -111,11 +111,11 @@ async function mindsOf(module, told, tables, acted, statues) {
     events: told.events,
     get begun() { return begun; },
     get own() { return state.now < leaves + SPARE_S ? part : -1; }, // nobody sees the own body
-    get ahead() { return engine.time; },
+    get ahead() { return engine ? engine.time : 0; },
     // Let time pass by a frame that lasts so long; return what is shown then.
     go_on(now, step) {
-      if (now + step > seconds - AHEAD_S - 2 || orders.length || (visitor && welcome)) begin();
-      if (!begun) return now + step;
+      if (now + step > seconds - AHEAD_S - 2 || orders.length || visitor) begin();
+      if (!engine) return now + step; // what was baked goes on meanwhile
       if (next) return now;
       const until = performance.now() + SPEND_MS, before = engine.steps;
       caught = caught || engine.time >= now + AHEAD_S;

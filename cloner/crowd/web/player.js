@@ -71,7 +71,7 @@ async function start(context) {
   if (held.has("minds.bin")) {
     const engine = bytesOf("engine.wasm"), tables = await arraysOf(bytesOf("minds.bin"), facts.scenario.arrays);
     if (facts.live) live = liveOf(statues, engine, tables);
-    else minds = await mindsOf(engine, facts.scenario, tables, acted, statues);
+    else minds = mindsOf(engine, facts.scenario, tables, acted, statues);
   }
   buildKnobs();
   resize();

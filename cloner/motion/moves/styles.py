@@ -97,6 +97,9 @@ GROWN_YEARS, YOUNGEST_YEARS, FASTER = 14.0, 4.0, 0.22
 OLD_YEARS, OLDEST_YEARS = 60.0, 85.0
 OLD: Final[Mapping[str, float]] = MappingProxyType({"thigh": 0.82, "knee": 0.9, "foot": 0.75, "arm_deg": 0.6})
 STOOPED: Final[Mapping[str, float]] = MappingProxyType({"lean_deg": 6.0, "bow_deg": 8.0, "crouch_deg": 3.0})
+#: No foot rolls less than this share of the usual, however old and sad: slow and turning, it would drag (slides of 8.4
+#: mm a step in the mean; `benchmarks/footings.py`).
+FLATTEST: Final = 0.6
 #: A jog in which always one foot carries, knees bent, no flight: 2.1 (anna) and 2.3 m/s (boris).
 RUN: Final = Style("run", cycle_frames=42, thigh=1.4, knee=1.45, crouch_deg=8.0, arm_deg=38.0, elbow_deg=(80.0, 105.0),
                    lean_deg=12.0, sway_m=0.008, chest_turn_deg=9.0, pelvis_turn_deg=8.0, stance=0.57)  # fmt: skip
@@ -120,4 +123,6 @@ def suited(style: Style, sex: str = "", age_years: float = 0.0) -> Style:
     old = min(max((age_years - OLD_YEARS) / (OLDEST_YEARS - OLD_YEARS), 0.0), 1.0)
     changed |= {name: getattr(style, name) * (1.0 + (share - 1.0) * old) for name, share in OLD.items() if old}
     changed |= {name: getattr(style, name) + more * old for name, more in STOOPED.items() if old}
+    if "foot" in changed:
+        changed["foot"] = max(changed["foot"], min(FLATTEST, style.foot))
     return replace(style, **changed)

@@ -15,11 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.acting.tracks import feet_of
-from cloner.behaviour.feet import RATE_HZ, SEEN_S, Feet, taken
+from cloner.behaviour.feet import SEEN_S, Feet, taken
 from cloner.behaviour.guests import guests
 from cloner.behaviour.loop import run
 from cloner.behaviour.model import Scenario
 from cloner.behaviour.trajectories import STEPS
+from cloner.behaviour.walking import RATE_HZ
 from cloner.behaviour.world import World, world_of
 from cloner.crowd.staged.footing import Acted
 from cloner.errors import ClonerError

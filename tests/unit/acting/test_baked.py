@@ -13,7 +13,8 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from cloner.acting.written import bake_file
-from cloner.behaviour.trajectories import RATE_HZ, Trajectories, pack, read_trajectories, unpack
+from cloner.behaviour.trajectories import Trajectories, pack, read_trajectories, unpack
+from cloner.behaviour.walking import RATE_HZ
 from cloner.behaviour.written import run_file
 from cloner.cli import app
 from cloner.crowd.packs.check import check_pack

@@ -47,8 +47,9 @@ def page(packs: tuple[Path, Path], tmp_path: Path) -> Iterator[Page]:
 def went_on(page: Page, seconds: float, visitor: str = "null") -> tuple[float, np.ndarray]:
     """Let the page's time pass without drawing; return its time and everybody's rows."""
     told = page.value(
-        f"(() => {{ for (let k = 0; k < {round(seconds * 20)}; k++) {{ minds.walk({visitor});"
-        " state.now = minds.go_on(state.now, 0.05); } act();"
+        f"(async () => {{ for (let k = 0; k < {round(seconds * 20)}; k++) {{ minds.walk({visitor});"
+        " state.now = minds.go_on(state.now, 0.05); if (k % 5 === 0) await new Promise((go) => setTimeout(go)); }"
+        " act();"
         " return JSON.stringify([state.now, Array.from(walkers.rows)]); })()"
     )
     now, rows = json.loads(told)
