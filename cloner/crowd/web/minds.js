@@ -56,7 +56,7 @@ function gathered(footings, ways = new Map()) {
 function mindsOf(module, told, tables, acted, statues) {
   const people = told.begun.counts[0], seconds = facts.acted.seconds;
   const made = async (round) => runnerOf(await engineOf(module, { ...told.begun, seed: String(BigInt(told.begun.seed) + BigInt(round)) }, tables));
-  let engine = null, round = 0, begun = false, caught = false, next = null, empty = 0;
+  let engine = null, prepared = null, round = 0, begun = false, caught = false, next = null, empty = 0;
   let visitor = null, part = -1, leaves = 0, orders = [], early = new Map(); // `part` is the visitor's, until it `leaves`
 
   // What is new: kept until the engine has come to what is shown, then told.
@@ -75,8 +75,11 @@ function mindsOf(module, told, tables, acted, statues) {
     if (begun) return;
     begun = true;
     statues.begin();
-    made(0).then((made) => { engine = made; });
+    prepare();
   }
+
+  // Make the engine, before it is wanted.
+  function prepare() { prepared ||= made(0).then((made) => { engine = made; }); }
 
   // What was wished since the last frame: events, and where the visitor is.
   function hear() {
@@ -109,13 +112,14 @@ function mindsOf(module, told, tables, acted, statues) {
 
   return {
     events: told.events,
+    prepare,
     get begun() { return begun; },
     get own() { return state.now < leaves + SPARE_S ? part : -1; }, // nobody sees the own body
     get ahead() { return engine ? engine.time : 0; },
     // Let time pass by a frame that lasts so long; return what is shown then.
     go_on(now, step) {
       if (now + step > seconds - AHEAD_S - 2 || orders.length || visitor) begin();
-      if (!engine) return now + step; // what was baked goes on meanwhile
+      if (!begun || !engine) return now + step; // what was baked goes on meanwhile
       if (next) return now;
       const until = performance.now() + SPEND_MS, before = engine.steps;
       caught = caught || engine.time >= now + AHEAD_S;

@@ -85,6 +85,7 @@ async function start(context) {
     uniforms[name].value = state.blocks && name === "colours" ? blockTexture(texture, true) : texture;
   }
   state.whole = true;
+  if (minds) minds.prepare();
   document.body.dataset.ready = "yes";
 }
 
