@@ -133,7 +133,7 @@ def _leads(group: Group) -> int:
 
 
 def _feelings(scenario: Scenario, names: Names) -> Tables:
-    acts = [[names.acts.index(act) for act in one.acts] for one in scenario.emotions]
+    acts = [[names.acts.index(act) for act in one.acts or ACTS[:1]] for one in scenario.emotions]
     return {
         "thing_place": np.array([one.at for one in scenario.things], np.float64).reshape(-1, 2),
         "speed": np.array([one.speed for one in scenario.emotions]),
@@ -179,6 +179,7 @@ def _spots(ground: Ground, region: Mask) -> Array:
     if not len(row):
         return np.zeros((0, 2))
     thin = ((row - row.min()) % every == 0) & ((column - column.min()) % every == 0)
+    thin[0] |= not thin.any()  # of a region with a bitten corner, none may lie on the lattice
     return ground.middles(row[thin], column[thin])
 
 

@@ -16,7 +16,7 @@ import { arrangeSorting } from "./minds/members";
 import { arrangeMinds } from "./minds/state";
 
 export { at, counts } from "./memory";
-export { keep, resume, sum } from "./state";
+export { keep, resume, sum } from "./snapshot";
 export { step } from "./walkers";
 export { halt, stride, watch } from "./feet/watching";
 export { come, depart, freeGuest } from "./minds/guests";

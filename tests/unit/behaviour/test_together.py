@@ -262,3 +262,23 @@ def test_a_place_that_is_not_known_is_not_gone_to_until_it_is_seen() -> None:
     guide(world, "some go to far")
     pass_time(world, 0.2)
     assert goals(world, of(world, "some")) == ["far"]
+
+
+def test_more_visits_than_people_and_places_keep_their_numbers() -> None:
+    visits = " > ".join(["west", "middle"] * 40)
+    world = scene(f"group club: 1 people, leader emerging, visits {visits}, starts at middle\n"
+                  "group loners: 1 people, likes club 1, visits east, starts at middle\n")  # fmt: skip
+    world.people.domination[:] = 0.1, 0.9
+    pass_time(world, 1.0)
+    assert world.bands[0].leader == 1
+    assert sorted(world.bands[0].visits) == [0] * 40 + [1] * 40
+
+
+def test_a_region_with_a_bitten_corner_has_a_spot() -> None:
+    """No cell of this one lies in its first row and column, nor three from them: the lattice of spots was empty."""
+    floor = "floor 0, 2 to 6, 6\nfloor 2, 0 to 6, 6\n"
+    for size in ("1.5 x 1.5", "1.5 x 1.8", "1.6 x 1.5"):
+        text = f"{floor}point here at 1.6, 1.6 region {size}\ngroup one: 1 people, visits here\n"
+        world = world_of(read_text(text), 1)
+        pass_time(world, 0.2)
+        assert np.abs(world.bodies.target[0] - 1.6).max() <= 0.9

@@ -2,15 +2,15 @@
 
 import { f, i, is, people, places, present, setF, setI, take } from "../memory";
 import { LEADER, uniform } from "../dice";
-import { EMERGING, NAMED, band, bandHome, domination, homeFlags, homeLeads } from "./state";
+import { EMERGING, NAMED, band, bandHome, domination, homeFlags, homeLeads, longest } from "./state";
 
 let keys: usize = 0; // of what is sorted, and room to merge
 let spareKeys: usize = 0;
 let spareRows: usize = 0;
 
-/** Take room to sort people or places. */
+/** Take room to sort people, places or visits. */
 export function arrangeSorting(): void {
-  const most = max(people, places);
+  const most = max(max(people, places), longest);
   keys = take(<usize>most * 8);
   spareKeys = take(<usize>most * 8);
   spareRows = take(<usize>most * 4);
