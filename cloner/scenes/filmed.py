@@ -23,9 +23,11 @@ from cloner.motion.face.sound import wav_bytes
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import appears, result_folder, safe_output
 from cloner.records.arrays import Array
+from cloner.scenes.films.hearing import RATE_HZ, Ear, heard
 from cloner.scenes.films.sequence import read_sequence
 from cloner.scenes.films.staged import acted_by
-from cloner.scenes.films.voices import RATE_HZ, Ear, Voices, heard, voices_of
+from cloner.scenes.films.steps import steps_of
+from cloner.scenes.films.voices import Voices, voices_of
 from cloner.scenes.inhabited import room_parts, sounding, views_in
 from cloner.scenes.written import light_in, room_in, sound_in
 from cloner.vision.photographs.films import FORMATS, told_png, write_film
@@ -104,7 +106,10 @@ def _draw(
     facts = read_facts(pack)
     told = facts["staging"]["film"]
     acted, staging = read_acted(pack, facts), staging_of(facts)
-    sound = heard(voices, told["seconds"], _ear(staging, acted), echo) if voices and staging else None
+    sound = None
+    if staging:
+        sources = [*(voices.sources() if voices else ()), *steps_of(acted, staging, told["seconds"])]
+        sound = heard(sources, told["seconds"], _ear(staging, acted), echo) if sources else None
     theatre = Theatre(read_stock(pack, facts))
     try:
         painter = Painter(

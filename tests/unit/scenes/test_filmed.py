@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 import pytest
 from PIL import Image
+from scipy.io import wavfile
 
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.drawing.theatre import Theatre
@@ -18,10 +19,11 @@ from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
 from cloner.crowd.packs.still import Painter
-from cloner.crowd.staged.footing import felt_at
+from cloner.crowd.staged.footing import FROM, LAST, X, Z, felt_at
 from cloner.crowd.staged.staging import staging_of
 from cloner.errors import Cancelled, ClonerError
 from cloner.scenes.filmed import film_file
+from cloner.scenes.films.steps import steps_of
 from cloner.scenes.inhabited import build_folder
 from cloner.statues.carved import statue_of
 from kit.browser import CHROMIUM, browser
@@ -75,10 +77,30 @@ def painter_of(pack: Path, theatre: Theatre) -> Painter:
 
 def test_the_same_lines_make_the_same_pictures(filmed: tuple[Path, Path], lines, cast, lit_folder, tmp_path) -> None:
     names = sorted(one.name for one in filmed[0].iterdir())
-    assert names == [f"0000{k}.png" for k in range(1, 9)]
+    assert names == [*(f"0000{k}.png" for k in range(1, 9)), "sound.wav"]
     film_file(lines, lit_folder, cast, tmp_path / "again", None)
     for name in names:
         assert (tmp_path / "again" / name).read_bytes() == (filmed[0] / name).read_bytes()
+
+
+def test_steps_are_heard_when_feet_come_down_from_where_they_are_and_not_of_stone(filmed: tuple[Path, Path]) -> None:
+    facts = read_facts(filmed[1])
+    acted, staging = read_acted(filmed[1], facts), staging_of(facts)
+    assert staging is not None
+    found = steps_of(acted, staging, 4.0)
+    assert len(found) >= 4
+    for one in found:
+        own = acted.footings[acted.starts[one.who] : acted.starts[one.who + 1]]
+        (footing,) = own[own[:, FROM] == np.float32(one.when)]
+        assert footing[LAST] >= 0.0
+        assert one.place[::2] == pytest.approx([footing[X], footing[Z]], abs=0.02)
+        assert staging.rows(acted, one.when)[one.who, 4, 1] <= 0.5
+    stone = {who for who, keys in facts["staging"]["stone"] if keys[0][1] == 1.0 and len(keys) == 1}
+    assert not stone & {one.who for one in found}
+    rate, sound = wavfile.read(filmed[0] / "sound.wav")
+    first = round(found[0].when * rate)
+    assert not sound[: first - 1].any()
+    assert np.abs(sound[first : first + rate // 20]).max() > 300
 
 
 def test_stone_is_grey_and_comes_alive_in_its_own_colours(filmed: tuple[Path, Path]) -> None:

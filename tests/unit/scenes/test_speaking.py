@@ -14,8 +14,9 @@ from cloner.crowd.clones.faces import TARGETS
 from cloner.crowd.staged.faces import MOST_AT_ONCE, Said, Spoken
 from cloner.crowd.staged.footing import COLUMNS, FEELS, FROM, LAST, UNTIL, Acted, felt_at
 from cloner.errors import ClonerError
+from cloner.scenes.films.hearing import RATE_HZ, Source, heard
 from cloner.scenes.films.sequence import sequence_of
-from cloner.scenes.films.voices import RATE_HZ, Voices, heard, voices_of
+from cloner.scenes.films.voices import voices_of
 from cloner.vision.photographs.films import write_film
 
 BEGIN = """film "Talk" for 4 s, 64 x 48, 4 frames a second
@@ -68,8 +69,7 @@ def test_who_is_on_the_right_is_heard_there_and_louder_when_near() -> None:
     tone = np.sin(np.arange(RATE_HZ) * 0.05)
 
     def energy(head: tuple[float, float, float]) -> np.ndarray:
-        said = Voices((Said(0, 0.5, 0, 30, ""),), (tone,))
-        out = heard(said, 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array(head)))
+        out = heard([Source(0.5, 0, tone)], 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array(head)))
         assert not out[: RATE_HZ // 2].any()
         assert not out[RATE_HZ // 2 + RATE_HZ :].any()
         return np.asarray((out**2).sum(axis=0))
@@ -86,7 +86,7 @@ def test_a_room_rings_after_the_voice_where_it_has_an_echo() -> None:
     stream, ring = io.BytesIO(), np.zeros(22_050, np.int16)
     ring[11_025] = 30_000
     wavfile.write(stream, 22_050, ring)
-    said = Voices((Said(0, 0.0, 0, 30, ""),), (np.sin(np.arange(4_800) * 0.05),))
+    said = [Source(0.0, 0, np.sin(np.arange(4_800) * 0.05))]
     ear = lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -2.0]))  # noqa: E731
     inside, outside = (heard(said, 2.0, ear, (stream.getvalue(), box)) for box in ((-5, -5, 5, 5), (8, 8, 9, 9)))
     late = slice(round(0.49 * RATE_HZ), round(0.62 * RATE_HZ))
