@@ -1,10 +1,10 @@
 "use strict";
 // A scenario that goes on in the page itself. What was baked is its beginning; the engine takes over before that ends, or
 // as soon as somebody walks along or lets an event happen, and does the same steps up to there. Like a served scene's
-// minds (cloner/scenes/served/minds.py) it is a little ahead of what is shown; when all have left it begins anew.
+// minds (cloner/scenes/served/minds.py) it is a little ahead of what is shown; when all have left, or nobody has walked for a minute, it begins anew.
 
 const SEEN_S = 2, AHEAD_S = 3, ENGINE_STEP_S = 0.05, FRAME_STEPS = 2; // feet want SEEN_S, the longest footing .8
-const SPARE_S = 0.5, SPEND_MS = 6, EMPTY_S = 5; // taste: how far behind it may fall, a frame's time, how long nobody is there
+const SPARE_S = 0.5, SPEND_MS = 6, EMPTY_S = 5, STILL_S = 60, WALKS = [1, 2]; // taste: how far behind it may fall, a frame's time, how long nobody is there or walks
 const TOLD = { awakens: 0, sleeps: 1 }, EVENT = 15; // as core/minds/told.ts, rules.ts
 
 // An engine that goes on step by step, and what is new of it.
@@ -56,7 +56,7 @@ function gathered(footings, ways = new Map()) {
 function mindsOf(module, told, tables, acted, statues) {
   const people = told.begun.counts[0], seconds = facts.acted.seconds;
   const made = async (round) => runnerOf(await engineOf(module, { ...told.begun, seed: String(BigInt(told.begun.seed) + BigInt(round)) }, tables));
-  let engine = null, prepared = null, round = 0, begun = false, caught = false, next = null, empty = 0;
+  let engine = null, prepared = null, round = 0, begun = false, caught = false, next = null, empty = 0, still = 0;
   let visitor = null, part = -1, leaves = 0, orders = [], early = new Map(); // `part` is the visitor's, until it `leaves`
 
   // What is new: kept until the engine has come to what is shown, then told.
@@ -101,7 +101,7 @@ function mindsOf(module, told, tables, acted, statues) {
     next = made(++round).then((made) => {
       engine = made;
       part = -1;
-      empty = leaves = 0;
+      empty = still = leaves = 0;
       caught = true;
       for (let who = 0; who < people; who++) acted.begin(who, new Float32Array(0));
       statues.begin();
@@ -126,9 +126,10 @@ function mindsOf(module, told, tables, acted, statues) {
       if (caught) hear();
       while (engine.time < now + step + AHEAD_S && performance.now() < until) engine.step();
       if (engine.steps > before) tell(now);
-      const there = engine.rows.present.some((one, who) => one && (who !== part || leaves < Infinity));
-      empty = there ? 0 : empty + step;
-      if (empty > EMPTY_S) anew();
+      const { present, posture } = engine.rows, others = (who) => present[who] && (who !== part || leaves < Infinity);
+      empty = present.some((_, who) => others(who)) ? 0 : empty + step;
+      still = present.some((_, who) => others(who) && WALKS.includes(posture[who])) ? 0 : still + step;
+      if (empty > EMPTY_S || (still > STILL_S && !visitor)) anew();
       return caught ? Math.max(now, Math.min(now + step, engine.time - AHEAD_S + SPARE_S)) : now + step;
     },
     happen(name) { orders.push(name); },

@@ -118,6 +118,22 @@ def test_when_all_have_left_it_begins_anew_otherwise(page: Page) -> None:
     assert np.abs(rows[:PEOPLE, 0, 1:3] - first[:PEOPLE, 0, 1:3]).max() > 0.05, "chance is another"
 
 
+def test_a_scene_that_has_come_to_rest_begins_anew_but_not_before_a_visitors_eyes(lively: Path, tmp_path: Path) -> None:
+    text = "floor 0, 0 to 8, 6\npoint b at 6, 3 region 2 x 2\npoint a at 2, 3\n"
+    (tmp_path / "rest.crowd").write_text(text + "group two: 2 people, visits b, starts at a\n")
+    bake_file(tmp_path / "rest.crowd", lively, tmp_path / "rest", seconds=3.0, seed=3)
+    with browser(tmp_path / "profile") as page:
+        page.open(tmp_path / "rest" / "player.html", 160, 100)
+        page.wait_for("document.body && document.body.dataset.ready", 120)
+        page.value("renderer.setAnimationLoop(null), 1")
+        now, _ = went_on(page, 90.0, "[1, -5, 0]")
+        assert now > 75.0
+        again, rows = went_on(page, 5.0)
+        assert again < 10.0
+        assert (rows[:2, 0, 0] < GONE).all()
+        assert not page.complaints()
+
+
 def test_a_scenario_without_guests_gets_one_and_no_name_twice() -> None:
     text = "floor 0, 0 to 8, 6\ngroup visitor: 2 people"
     groups = read_text(welcoming(text)).groups
