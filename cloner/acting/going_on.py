@@ -24,9 +24,15 @@ class GoingOn:
     facts: Mapping[str, Any]
 
 
-def welcoming(text: str) -> str:
-    """Return a scenario in which whoever walks along in the page can be somebody: a guest, if none is expected."""
-    groups = read_text(text).groups
+def welcoming(text: str, where: str = "scenario") -> str:
+    """Return a scenario in which whoever walks along in the page can be somebody: a guest, if none is expected.
+
+    Raises
+    ------
+    ClonerError
+        If something is wrong in it; ``where`` is what it is called then.
+    """
+    groups = read_text(text, where).groups
     if any(one.outside for one in groups):
         return text
     taken = {str(one.name) for one in groups}
@@ -46,7 +52,7 @@ def going_on(text: str, seed: int, acted: Acted, clips: Sequence[Mapping[str, An
     clips : rows of the clones' clips in ``crowd.json``
     """
     scenario = read_text(text)
-    world = world_of(scenario, seed, feet_of(acted, clips, scenario.people()))
+    world = world_of(scenario, seed, feet_of(acted.touches, acted.clips, acted.people, clips))
     begun, tables = beginning(world)
     data, arrays = packed(tables)
     facts = {"text": text, "seed": seed, "begun": begun, "arrays": arrays, "events": world.names.events,

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.feet import Feet, Motions, footings_of
-from cloner.crowd.staged.footing import Acted
 from cloner.pipeline import Progress, quiet
 from cloner.records.arrays import Array
 
@@ -48,21 +47,25 @@ def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = quiet)
     return footings_of(Motions(place, facing, present, acts, walks), feet, progress)
 
 
-def feet_of(acted: Acted, clips: Sequence[Mapping[str, Any]], people: int, *, spare: int = 0) -> Feet:
-    """Return the feet of the first people of a pack.
+def feet_of(
+    touches: NDArray[np.float32], lengths: NDArray[np.float32], rows: NDArray[np.float32],
+    clips: Sequence[Mapping[str, Any]], *, spare: int = 0,
+) -> Feet:  # fmt: skip
+    """Return the feet of a pack's people.
 
     Parameters
     ----------
-    acted : Acted
+    touches, lengths
+        ``touches`` and ``clips`` of :class:`~cloner.crowd.staged.footing.Acted`.
+    rows : (N, 5, 4), rows of those people
     clips : rows of the clones' clips in ``crowd.json``
-    people : int
     spare : int
         Looks that may come later.
     """
     names = [str(one["name"]) for one in clips]
-    rows = acted.people[:people, 1].astype(np.float64)
+    own = rows[:, 1].astype(np.float64)
     return Feet(
-        acted.touches, acted.clips, rows[:, 2].astype(np.int64), rows[:, 3], rows[:, 1],
+        touches, lengths, own[:, 2].astype(np.int64), own[:, 3], own[:, 1],
         still={str(one["name"]): k for k, one in enumerate(clips) if not one["speed_m_s"]},
         walks={name.removeprefix("walk_"): k for k, name in enumerate(names) if name.startswith("walk_")},
         run=names.index("run") if "run" in names else -1, spare=spare,

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from cloner.acting.blocks import blocks_of
 from cloner.acting.going_on import GoingOn, going_on, welcoming
-from cloner.behaviour.feet import Feet, Motions, footings_of
+from cloner.acting.tracks import feet_of
+from cloner.behaviour.feet import Motions, footings_of
 from cloner.behaviour.language import read_scenario, read_text, scenario_text
 from cloner.behaviour.trajectories import MAGIC, Trajectories, read_trajectories
 from cloner.behaviour.walking import RATE_HZ
@@ -199,9 +200,7 @@ def _walked(source: Path, seconds: float, seed: int, progress: Progress) -> tupl
         return read_trajectories(source), ""
     if not 0.0 < seconds <= 3600.0:
         raise ClonerError(f"{seconds:g} seconds cannot be baked", "Give more than 0 and at most an hour", "--seconds")
-    text = scenario_text(source)
-    read_text(text, source.name)  # what is wrong in it is told by the file's name
-    text = welcoming(text)
+    text = welcoming(scenario_text(source), source.name)
     walk = recorded(world_of(read_text(text, source.name), seed), seconds, progress)
     return walk, text
 
@@ -224,13 +223,9 @@ def acted_by(
         raise ClonerError("the pack's frames do not fit what it says of them", hint, pack.name) from error
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     rows = _people(len(walk.groups), casting_from(facts))
-    still = {clip["name"]: k for k, clip in enumerate(people[0]["clips"]) if not clip["speed_m_s"]}
-    acts = np.array([still.get(one, IDLE) for one in walk.acts])
-    styles = [f"walk_{one}" for one in walk.walks]
-    run = names.index("run") if "run" in names else -1
-    walks = np.array([names.index(one) if one in names else WALK for one in styles])
-    looks = rows[:, 1].astype(np.float64)
-    feet = Feet(touches, clips, looks[:, 2].astype(np.int64), looks[:, 3], looks[:, 1], {}, {}, run)
+    feet = feet_of(touches, clips, rows, people[0]["clips"])
+    acts = np.array([feet.still.get(one, IDLE) for one in walk.acts])
+    walks = np.array([feet.walks.get(one, WALK) for one in walk.walks])
     done = Motions(walk.place, walk.facing, walk.present, acts[walk.posture], walks[walk.emotion])
     found = footings_of(done, feet, progress)
     starts = np.cumsum([0, *map(len, found)])

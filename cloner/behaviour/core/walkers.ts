@@ -4,7 +4,7 @@
 // + - * / and square roots only, which every engine of WebAssembly rounds alike: the same input gives the same bits.
 
 import {
-  NEAREST, STEP_S, arrange, f, heading, here, i, is, moved, others, own, pace, people, period, place, present, setF,
+  NEAREST, STEP_S, f, heading, here, i, is, moved, others, own, pace, people, period, place, present, setF,
   setI, steps, tick, velocity, way, wrapped,
 } from "./memory";
 import { offWalls } from "./ground";

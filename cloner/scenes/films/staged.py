@@ -8,8 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from cloner.acting.tracks import Track, footings_on
-from cloner.behaviour.feet import Feet
+from cloner.acting.tracks import Track, feet_of, footings_on
 from cloner.crowd.clones.stock import Stock
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Dice
@@ -70,8 +69,7 @@ def acted_by(
         track = _track(film, who, actor, names, speeds[clone], tracks)
         tracks.append(track)
         rows[who, 1], rows[who, 2, :3], rows[who, 3] = (0.0, dice.roll(), clone, 1.0), clone, -1.0
-    acting = rows[: len(film.actors), 1].astype(np.float64)
-    feet = Feet(touches, clips, np.array(clones), acting[:, 3], acting[:, 1], {}, {}, _clip(names, "run", -1))
+    feet = feet_of(touches, clips, rows[: len(film.actors)], people[0]["clips"])
     found = footings_on(tracks, feet, progress)
     for k, body in enumerate(heads):
         rows[len(film.actors) + k] = rows[body]

@@ -136,5 +136,5 @@ def minds_of(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[Mappin
     """
     if scenario.people() > len(acted.people):
         raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", "scene")
-    feet = feet_of(acted, clips, scenario.people(), spare=SPARE)
+    feet = feet_of(acted.touches, acted.clips, acted.people[: scenario.people()], clips, spare=SPARE)
     return Minds(world_of(scenario, seed, feet), feet)

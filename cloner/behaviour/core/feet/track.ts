@@ -1,11 +1,9 @@
 // What a body did in the last seconds, ten times a second: feet follow it.
 
+import { f, facing, i, is, people, place, present, setF, setI } from "../memory";
+import { emotion, posture } from "../minds/state";
 import {
-  emotion, posture,
-} from "../minds/state";
-import { f, facing, i, is, people, place, present, setF, setI, setIs } from "../memory";
-import {
-  actClip, acts, countFrame, frameAct, frameHeading, frameWalk, frameX, frameZ, frames, kept, lastSeen, there, walkClip,
+  actClip, acts, countFrame, frameAct, frameHeading, frameWalk, frameX, frameZ, frames, kept, lastSeen, walkClip,
 } from "./state";
 
 const RATE_HZ: f64 = 10.0;

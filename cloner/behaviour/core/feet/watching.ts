@@ -1,7 +1,7 @@
 // Everybody's footings: what bodies do is watched ten times a second, and feet follow, some seconds later.
 
-import { is, people, present, i, setIs } from "../memory";
-import { frames, lastSeen, there } from "./state";
+import { i, is, people, present, setIs } from "../memory";
+import { lastSeen, there } from "./state";
 import { keepFrame } from "./track";
 import { enter, goOn, lengthen, tellRow } from "./walker";
 
