@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.cloth.clothed import SHELL, check_folder, write_worn
-from cloner.cloth.simulation.wearer import planes_under, skin_between, wearer
+from cloner.cloth.simulation.core.host import pushed_out
+from cloner.cloth.simulation.wearer import skin_between, wearer
 from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.generic.load import load_generic
@@ -216,13 +217,12 @@ def fitted_shell(clone: Clone, garment: Fitted) -> Shell:
     places = np.einsum("nk,nka->na", garment.weights, base[garment.rows]) + garment.beside_m * scale
     body = wearer(clone, whole=True)
     now = skin_between(body, clone.vertices_m[body.rows], clone.vertices_m[body.rows])
-    tree, mesh = now.tree, garment.mesh
+    mesh = garment.mesh
     ends = mesh.triangles[:, [[0, 1, 2], [0, 1, 1], [1, 2, 2], [2, 0, 0]]].reshape(-1, 3)  # middles, and those of sides
     for _ in range(PUSHES):
-        planes_under(now, tree, places, DEEP_M).push_out(places, CLEAR_M)
+        places = pushed_out(places, now, CLEAR_M, DEEP_M)
         middles = places[ends].mean(axis=1)
-        out = middles.copy()
-        planes_under(now, tree, out, DEEP_M).push_out(out, CLEAR_M)
+        out = pushed_out(middles, now, CLEAR_M, DEEP_M)
         pushed = np.flatnonzero((out != middles).any(axis=1))
         corners = ends[pushed].ravel()
         count = np.maximum(np.bincount(corners, minlength=len(places)), 1)

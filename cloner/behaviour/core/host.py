@@ -1,21 +1,15 @@
-"""The engine in Python: its module is run by wasmtime, and its arrays are NumPy's, in the same memory.
-
-The module (`engine.wasm`; its source lies beside it, `generic_models/build/build_engine.py` makes it) imports nothing:
-it can touch no file, clock or network, only its own memory.
-"""
+"""The engine in Python, its arrays NumPy's (`cloner.webassembly.instances`)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import lru_cache
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
-from wasmtime import Config, Engine, Func, Instance, Memory, Module, Store, WasmtimeError
 
 from cloner.errors import ClonerError
+from cloner.webassembly.instances import Instance
 
 MODULE: Final = Path(__file__).with_name("engine.wasm")
 #: How many there are of everything, in the order of `counts()` (core/memory.ts; minds and feet have theirs).
@@ -69,15 +63,7 @@ _LARGEST_BYTES: Final = 4_000_000_000
 _CELL_BYTES, _PERSON_BYTES, _FRAME_BYTES = 292, 460, 32
 
 
-class _Lent:
-    """A part of the engine's memory for NumPy; who holds the array holds the memory."""
-
-    def __init__(self, core: Core, address: int, shape: tuple[int, ...], kind: str) -> None:
-        self._core = core
-        self.__array_interface__ = {"version": 3, "data": (address, False), "shape": shape, "typestr": kind}
-
-
-class Core:
+class Core(Instance):
     """One instance of the module: one world.
 
     Parameters
@@ -106,8 +92,8 @@ class Core:
     def __init__(
         self, counts: Mapping[str, int], low: tuple[float, float], *, period_m: float = 0.0, seed: int = 0
     ) -> None:
-        self.begun = {"counts": [int(counts.get(name, 0)) for name in COUNTS], "low": list(low),
-                      "period_m": period_m, "seed": str(seed)}  # fmt: skip
+        counted = [int(counts.get(name, 0)) for name in COUNTS]
+        self.begun = {"counts": counted, "low": list(low), "period_m": period_m, "seed": str(seed)}
         shapes = shapes_of(counts)
         lent = sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
         cells = counts["rows"] * counts["cols"]
@@ -116,32 +102,13 @@ class Core:
             raise ClonerError(
                 "the floor is too large for so many points", "Make it smaller, or take points away", "floor"
             )
-        engine, module = _module()
-        self._store = Store(engine)
-        self.arrays: dict[str, NDArray[Any]] = {}
         seed = (seed + (1 << 63)) % (1 << 64) - (1 << 63)  # as the signed number that passes
-        try:
-            self._exports: Any = Instance(self._store, module, []).exports(self._store)
-            memory: Memory = self._exports["memory"]
-            counted = np.array(self.begun["counts"], "<i4").tobytes()
-            memory.write(self._store, counted, self._exports["counts"](self._store))
-            begin: Func = self._exports["begin"]
-            begin(self._store, *low, period_m, seed)
-        except WasmtimeError as error:
-            raise ClonerError("there is not memory enough for the crowd", "Close other programs", "crowd") from error
-        base = _address(memory, self._store)
-        for number, (name, (kind, shape)) in enumerate(shapes.items()):
-            at = base + (self._exports["at"](self._store, number) & 0xFFFFFFFF)
-            self.arrays[name] = np.asarray(_Lent(self, at, shape, kind))
-
-    def call(self, name: str, *values: float) -> Any:
-        """Call what the module exports (core/engine.ts): ready, lead, step, live, guide, come, depart, ..."""
-        return self._exports[name](self._store, *values)
+        missing = ClonerError("there is not memory enough for the crowd", "Close other programs", "crowd")
+        super().__init__(MODULE, counted, shapes, (*low, period_m, seed), missing)
 
     def kept(self) -> bytes:
         """Return all that changes: another host that began with the same counts and ground can go on from it."""
-        memory: Memory = self._exports["memory"]
-        return bytes(memory.read(self._store, 0, self._exports["keep"](self._store)))
+        return self.read(self.call("keep"))
 
 
 def shapes_of(counts: Mapping[str, int]) -> dict[str, tuple[str, tuple[int, ...]]]:
@@ -153,17 +120,3 @@ def shapes_of(counts: Mapping[str, int]) -> dict[str, tuple[str, tuple[int, ...]
     known["footings"] = 32 * known["people"] + 1024 if known["looks"] else 0
     return {name: (kind, tuple(known[one] if isinstance(one, str) else one for one in shape))
             for name, kind, shape in ARRAYS}  # fmt: skip
-
-
-def _address(memory: Memory, store: Store) -> int:
-    import ctypes
-
-    return ctypes.addressof(memory.data_ptr(store).contents)
-
-
-@lru_cache(maxsize=1)
-def _module() -> tuple[Engine, Module]:
-    config = Config()
-    config.parallel_compilation = False  # 40 kB: no threads for so little
-    engine = Engine(config)
-    return engine, Module(engine, MODULE.read_bytes())

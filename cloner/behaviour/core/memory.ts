@@ -1,8 +1,11 @@
 // The arrays of the core, one after the other in the module's memory.
 //
-// A host writes how many there are of everything at `counts()`, calls `begin`, and asks `at(k)` where the k-th of the
-// arrays that are lent lies: `host.py` has the list. Metres, seconds, radians; f64 unless told; pairs are x, y.
+// What a host counts: 0 people, 1 rows and 2 columns of cells, 3 walls, 4 walls a cell's list holds, 5 places; what
+// follows is of `minds/state.ts` and `feet/state.ts`. `host.py` has the list of what is lent. Metres, seconds, radians; f64 unless told; pairs are x, y.
 // n people, c = rows x cols cells, p places.
+
+import { count, lend, take, taken } from "../../webassembly/arrays";
+export { at, count, counts, f, i, is, lend, setF, setI, setIs, take } from "../../webassembly/arrays";
 
 export const NEAREST: i32 = 16;
 export const DIRECTIONS: i32 = 64;
@@ -61,35 +64,6 @@ export let spare: usize = 0; // c x 2
 export let others: usize = 0; // n x 16, i32: the nearest, then -1
 export let here: usize = 0; // n, i32: who is there
 
-let top: usize = 0;
-let lent: i32 = 0;
-const LENT = memory.data(96 * 4);
-const COUNTS = memory.data(24 * 4);
-
-/** Where a host writes, as i32, how many there are: of what, `count` tells. */
-export function counts(): usize { return COUNTS; }
-
-/** How many there are: 0 people, 1 rows and 2 columns of cells, 3 walls, 4 walls a cell's list holds, 5 places; what
- *  follows is of `minds/state.ts` and `feet/state.ts`. */
-export function count(kind: i32): i32 { return i(COUNTS, kind); }
-
-/** Take bytes of the memory; they are zero. */
-export function take(bytes: usize): usize {
-  if (top == 0) top = __heap_base;
-  const found = (top + 15) & ~15;
-  top = found + bytes;
-  const more = <i32>((top + 0xffff) >>> 16) - memory.size();
-  if (more > 0 && memory.grow(more) < 0) unreachable();
-  return found;
-}
-
-/** Take an array that hosts may read and write. */
-export function lend(bytes: usize): usize {
-  const found = take(bytes);
-  setI(LENT, lent++, <i32>found);
-  return found;
-}
-
 /** Take all arrays of bodies. Called once. */
 export function arrange(x: f64, y: f64, periodM: f64, number: u64): void {
   people = count(0); rows = count(1); cols = count(2); reach = count(4); places = count(5);
@@ -106,7 +80,7 @@ export function arrange(x: f64, y: f64, periodM: f64, number: u64): void {
 /** Take all arrays of the ground, which stays as it is. Called last: all that changes lies before it. */
 export function arrangeGround(): void {
   const c = <usize>rows * <usize>cols, p = <usize>places;
-  ground = top;
+  ground = taken();
   clear = lend(c * 8); distance = lend(c * 8); near = lend(c * <usize>reach * 4); walls = lend(<usize>count(3) * 32);
   fields = lend(p * c * 16); regions = lend(p * c);
   free = take(c * 256); after = take(c * 4); spare = take(c * 16);
@@ -118,23 +92,6 @@ export let ground: usize = 0;
 /** Count a step, or go on from one. */
 export function tick(): void { steps++; }
 export function setSteps(count: i32): void { steps = count; }
-
-/** Where the k-th array that is lent lies. */
-export function at(kind: i32): usize { return <usize>i(LENT, kind); }
-
-// One number of an array of f64, i32 or u8.
-// @ts-ignore: decorator
-@inline export function f(array: usize, k: i32): f64 { return load<f64>(array + (<usize>k << 3)); }
-// @ts-ignore: decorator
-@inline export function setF(array: usize, k: i32, value: f64): void { store<f64>(array + (<usize>k << 3), value); }
-// @ts-ignore: decorator
-@inline export function i(array: usize, k: i32): i32 { return load<i32>(array + (<usize>k << 2)); }
-// @ts-ignore: decorator
-@inline export function setI(array: usize, k: i32, value: i32): void { store<i32>(array + (<usize>k << 2), value); }
-// @ts-ignore: decorator
-@inline export function is(array: usize, k: i32): bool { return load<u8>(array + <usize>k) != 0; }
-// @ts-ignore: decorator
-@inline export function setIs(array: usize, k: i32, value: bool): void { store<u8>(array + <usize>k, value ? 1 : 0); }
 
 /** A difference along x in a world that repeats, the shorter way round. */
 // @ts-ignore: decorator

@@ -22,8 +22,8 @@ Point = tuple[float, float]
 #: An armhole ends so far below the armpit, a shoulder lies so far over the skin, metres.
 DROP_M, OVER_M = 0.025, 0.012
 #: Crotch below the body's, and how far the rise of front and back reaches between the legs, shares of the hips' girth.
-SEAT_M, SEAT_EASE = 0.035, 1.08
-RISES: Final = (0.0675, 0.105)
+SEAT_M, SEAT_EASE, WAIST_EASE = 0.05, 1.2, 1.08
+RISES: Final = (0.0675, 0.16)
 #: Trousers end so high over the floor, a share of the stature: lower, a foot that swings pulls their hem apart.
 ANKLE: Final = 0.08
 HALVINGS: Final = 40
@@ -61,7 +61,7 @@ class Cut:
 CUTS: Final[Mapping[str, Cut]] = {
     "tee": Cut(0.10, 0.08, 0.20, 0.36, False, 0.015),
     "dress": Cut(0.08, 0.55, 0.56, 0.0, False, 0.03),
-    "coat": Cut(0.22, 0.30, 0.48, 1.10, True, 0.02),
+    "coat": Cut(0.28, 0.30, 0.48, 1.10, True, 0.02),
 }
 TROUSERS: Final = "trousers"
 TAILORED: Final = (*CUTS, TROUSERS)
@@ -224,7 +224,7 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
     hem = ankle if length is None else -length
     buttock = float(body.place("buttock_left")[1])
     hips, seat = SEAT_EASE * body.girth("trunk", buttock), buttock - body.waist_m
-    waist = body.girth("trunk", body.waist_m) / 4.0
+    waist = WAIST_EASE * body.girth("trunk", body.waist_m) / 4.0
     fulls = [SEAT_EASE * body.girth("trunk", body.waist_m + share * seat) / 4.0 for share in (2 / 3, 1 / 3)]
     leg = body.girth("left_leg", body.waist_m + hem + 0.02)
     segments = []

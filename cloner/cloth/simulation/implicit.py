@@ -17,26 +17,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
-from scipy.spatial import cKDTree
 
 from cloner.cloth.drafting.cut import Cloth
-from cloner.cloth.simulation.contact import keep_apart, pairs_of
+from cloner.cloth.simulation.core.host import Core
 from cloner.cloth.simulation.elements import Elements, elements_of
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.forces import VISCOUS_S, Slips, bending, tension, unslipped
-from cloner.cloth.simulation.solver import (
-    FASTEST_M_S,
-    GRAVITY_M_S2,
-    REACH_M,
-    THICK_M,
-    Lead,
-    Sheet,
-    State,
-    air,
-    keep_out,
-    strains,
-)
-from cloner.cloth.simulation.wearer import Skin, planes_under
+from cloner.cloth.simulation.solver import FASTEST_M_S, REACH_M, THICK_M, Lead, Sheet, State, strains
+from cloner.cloth.simulation.wearer import Skin
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
@@ -105,6 +93,7 @@ def system_of(cloth: Cloth, fabric: Fabric) -> System:
 
 def step(
     sheet: Sheet,
+    core: Core,
     system: System,
     state: State,
     skin_now: Skin,
@@ -114,7 +103,8 @@ def step(
     lead: Lead | None = None,
 ) -> State:
     """Return the state a frame later; as `solver.step`, by elements, in as many steps as the cloth needs."""
-    frame = _Frame(skin_now, skin_now.tree, held_m, seconds, wind_m_s, lead)
+    frame = _Frame(core, held_m, seconds, wind_m_s, lead)
+    core.meet(skin_now)
     done, size = 0, FINEST // STEPS
     while done < FINEST:
         tried = _moved(sheet, system, state, frame, done / FINEST, (done + size) / FINEST, given_up=size == 1)
@@ -129,10 +119,9 @@ def step(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Frame:
-    """What acts in a frame: the skin and its tree, held places early and late, seconds, the wind, and the lead."""
+    """What acts in a frame: the engine that met its skin, held places early and late, seconds, the wind, the lead."""
 
-    skin: Skin
-    tree: cKDTree
+    core: Core
     held_m: tuple[Array, Array]
     seconds: float
     wind_m_s: Array
@@ -145,17 +134,21 @@ def _moved(
     """Return the state after one step from one share of a frame to another, or None if it drew cloth out too far."""
     before, h = state.places_m, (late - early) * frame.seconds
     held = (1.0 - late) * frame.held_m[0] + late * frame.held_m[1]
-    planes = planes_under(frame.skin, frame.tree, before, REACH_M)
-    pairs = pairs_of(sheet.spacing, before, state.speeds_m_s, h)
-    outside = air(sheet, before, state.speeds_m_s, frame.wind_m_s)
-    outside[:, 1] -= GRAVITY_M_S2 * sheet.mass_kg
-    base = planes.early_m + late * (planes.late_m - planes.early_m)
+    core, now = frame.core, frame.core.arrays
+    now["place"][:], now["before"][:], now["velocity"][:] = before, before, state.speeds_m_s
+    core.call("findPlanes", early, REACH_M)
+    core.call("findPairs", h)
+    core.call("blow", *(float(speed) for speed in frame.wind_m_s), sheet.fabric.air)
+    outside = sheet.mass_kg[:, None] * now["thrust"]
+    under = np.flatnonzero(now["near"])
+    normals, early_m, late_m = (now[f"plane_{name}"][under] for name in ("normal", "early", "late"))
+    base = early_m + late * (late_m - early_m)
     slips, speeds = state.slips or unslipped(system.elements), np.zeros_like(before)
     speeds[sheet.held] = (held - before[sheet.held]) / h
     for _ in range(ROUNDS):
-        over = np.einsum("ij,ij->i", (before + h * speeds)[planes.rows] - base, planes.normals) - THICK_M
+        over = np.einsum("ij,ij->i", (before + h * speeds)[under] - base, normals) - THICK_M
         met = np.flatnonzero(over < 0.0)
-        touch = _Touch(planes.rows[met], planes.normals[met], -over[met] / h)
+        touch = _Touch(under[met], normals[met], -over[met] / h)
         lag = sheet.mass_kg[:, None] * (state.speeds_m_s - speeds)
         more, drawn = _gained(sheet, system, before, speeds, slips, h * outside + lag, h, touch)
         speeds += more
@@ -169,11 +162,13 @@ def _moved(
         lead = frame.lead
         gone = 1.0 - (1.0 - lead.share) ** (late - early)
         places += gone * ((1.0 - late) * lead.early_m + late * lead.late_m - places)
-    light = 1.0 / sheet.mass_kg
-    light[sheet.held] = 0.0
+    now["place"][:] = places
+    core.call("findGuards", h)
     for _ in range(APART_ROUNDS):
-        keep_apart(pairs, places, light)
-    keep_out(planes, places, before, sheet.fabric.friction, late, late - early)
+        core.call("keepApart")
+        core.call("keepGap")
+    core.call("keepOut", THICK_M, sheet.fabric.friction, late, late - early)
+    places = np.array(now["place"])
     return State(places, (places - before) / h, drawn)
 
 

@@ -14,9 +14,10 @@ from typing import Final
 import cv2
 import numpy as np
 
+from cloner.cloth.simulation.core.host import pushed_out
 from cloner.cloth.simulation.moving import Worn
 from cloner.cloth.simulation.solver import Lead, State
-from cloner.cloth.simulation.wearer import FRAMES_PER_S, planes_under, skin_between
+from cloner.cloth.simulation.wearer import FRAMES_PER_S, skin_between
 from cloner.easing import smoothstep
 from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.records.arrays import Array
@@ -152,8 +153,4 @@ def _led_back(worn: Worn, places_m: Array, start: int) -> Array:
 def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
     """Return a frame's cloth out of the skin; the same start always gives the same."""
     skin_m = worn.met_in(frame).skin_m
-    now = skin_between(worn.body, skin_m, skin_m)
-    tree, out = now.tree, places_m.copy()
-    for _ in range(PUSHES):
-        planes_under(now, tree, out, 0.05).push_out(out, CLEAR_M)
-    return out
+    return pushed_out(places_m, skin_between(worn.body, skin_m, skin_m), CLEAR_M, 0.05, PUSHES)

@@ -7,29 +7,31 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.cloth.drafting.cut import Cloth, cut
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import sections
 from cloner.cloth.simulation import implicit
-from cloner.cloth.simulation.contact import keep_apart, pairs_of
+from cloner.cloth.simulation.core.host import Core, pushed_out
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.implicit import System, system_of
 from cloner.cloth.simulation.layered import Under, wearer_over
 from cloner.cloth.simulation.placing import Band, Ring, band, outside, placed
-from cloner.cloth.simulation.solver import THICK_M, Lead, Sheet, State, leash, sheet_of, step
-from cloner.cloth.simulation.threads import pull, springs
-from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
+from cloner.cloth.simulation.solver import FASTEST_M_S, THICK_M, Lead, Sheet, State, core_of, sheet_of, step
+from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, skin_between, wearer
 from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrapped
 from cloner.easing import smoothstep
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
-#: Small steps of the solver a frame. With 20, 40, 60 and 80 a tee's threads (triangles of 1.5 cm) are 16.0, 8.2, 7.9
-#: and 7.1 % too long at the 99th percentile of the median frame. With 60 cloth is livelier and passes through itself: a
-#: circle skirt in 97 frames of 168, with 20 in one, with 40 in none.
-SUBSTEPS: Final = 40
+Ints = NDArray[np.int64]
+
+#: Small steps of the solver a frame. With 40, 80 and 160 the threads of a skirt are 3.8, 2.0 and 1.0 % too long (99th
+#: percentile, median frame; triangles of 1.5 cm), those of a coat 8.4, 5.7 and 5.1, and a coat crosses itself in 2, 4
+#: and no triangles of its worst frame.
+SUBSTEPS: Final = 160
 #: Frames of hanging still at rest, and of going from the rest pose to the walk's first frame.
 SETTLE, BLEND = 24, 24
 #: What hangs from a ring above this share of the stature covers the arms.
@@ -38,8 +40,9 @@ NECK: Final = 0.75
 EASING: Final = 90
 #: Of these, between two searches of what may meet.
 SEARCHED: Final = 5
-#: Speed kept between frames while the cloth settles.
-CALM: Final = 0.6
+#: While the cloth settles no vertex moves faster, m/s, and speed that is kept between frames: folds that were laid
+#: too near unfold without passing through each other (a coat crossed itself in 8 triangles, a circle skirt in 7).
+GENTLE_M_S, CALM = 1.0, 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +61,8 @@ class Worn:
     ----------
     cloth : Cloth
     sheet : Sheet
+    core : Core
+        Its engine.
     body : Wearer
     band : Band
     root_m, rotations : (F, 3) and (F, 94, 3)
@@ -73,6 +78,7 @@ class Worn:
 
     cloth: Cloth
     sheet: Sheet
+    core: Core
     body: Wearer
     band: Band
     root_m: Array
@@ -93,14 +99,15 @@ class Worn:
         below_m = None if self.under is None else self.under.loop_m[frame]
         return self.met(self.root_m[frame], self.rotations[frame], below_m)
 
-    def after(self, state: State, before: Met, now: Met, *, walks: bool = True, lead: Lead | None = None) -> State:
-        """Return the cloth's state a frame later."""
+    def after(self, state: State, before: Met, now: Met, *, settles: bool = False, lead: Lead | None = None) -> State:
+        """Return the cloth's state a frame later; while it settles there is neither haste nor wind."""
         skin = skin_between(self.body, before.skin_m, now.skin_m)
-        wind = np.array([0.0, 0.0, -self.speed_m_s if walks else 0.0])
+        wind = np.array([0.0, 0.0, 0.0 if settles else -self.speed_m_s])
         held = (before.held_m, now.held_m)
         if self.system is not None:
-            return implicit.step(self.sheet, self.system, state, skin, held, 1.0 / FRAMES_PER_S, wind, lead)
-        return step(self.sheet, state, skin, held, 1.0 / FRAMES_PER_S, SUBSTEPS, wind, lead)
+            return implicit.step(self.sheet, self.core, self.system, state, skin, held, 1.0 / FRAMES_PER_S, wind, lead)
+        fastest = GENTLE_M_S if settles else FASTEST_M_S
+        return step(self.core, self.sheet.fabric, state, skin, held, 1.0 / FRAMES_PER_S, SUBSTEPS, wind, lead, fastest)
 
 
 def put_on(
@@ -130,44 +137,37 @@ def put_on(
     else:
         places, held, held_m = placed(pattern, cloth, ring)
         places = outside(places, met_m, held)
+    now = skin_between(body, met_m, met_m)
     if under is not None:
-        places = _cleared(body, met_m, places)
+        places = pushed_out(places, now, THICK_M, DEEP_M, PUSHES)  # what will be held as well
         held_m = places[held]
     root, rotations = frames(motion)
     tied = band(clone, held_m, body.rows)
     sheet = sheet_of(cloth, fabric, held)
+    core = core_of(sheet, len(met_m))
     if ring is None or under is not None:
-        places = _eased(sheet, body, met_m, places)
+        core.meet(now)
+        places = _eased(core, held, places)
     state = State(places, np.zeros_like(places))
     system = system_of(cloth, fabric) if elements else None
-    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state, under, system)
+    return Worn(cloth, sheet, core, body, tied, root, rotations, motion.speed_m_s, state, under, system)
 
 
-def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
-    """Return places pushed out of all that is met, what will be held as well."""
-    out, now = places_m.copy(), skin_between(body, met_m, met_m)
-    tree = now.tree
-    for _ in range(PUSHES):
-        planes_under(now, tree, out, DEEP_M).push_out(out, THICK_M)
-    return out
-
-
-def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
+def _eased(core: Core, held: Ints, places_m: Array) -> Array:
     """Return places in which threads that sewing stretched are back at their lengths, outside the skin, weightless."""
-    out, free = places_m.copy(), 1.0 / sheet.mass_kg
-    free[sheet.held] = 0.0
-    lengths = springs(sheet.stretch, free, 1.0)
-    now = skin_between(body, met_m, met_m)
-    tree = now.tree
+    out = core.arrays["place"]
+    out[:], core.arrays["velocity"][:] = places_m, 0.0
     for number in range(EASING):
-        leash(sheet, out)  # drawn back later in one step, it would fly
-        pull(lengths, out, slack=True)  # what is short folds when it hangs
+        core.call("hang")  # drawn back later in one step, it would fly
+        core.call("limit", 1.0)  # what is short folds when it hangs
         if number % SEARCHED == 0:
-            pairs = pairs_of(sheet.spacing, out, np.zeros_like(out), 0.0)
-        keep_apart(pairs, out, free)
+            core.call("findPairs", 0.0)
+        core.call("keepApart")
         if number % 3 == 2:
-            planes_under(now, tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
-    return out
+            core.call("findPlanes", 1.0, DEEP_M)
+            core.call("keepOut", THICK_M, 0.0, 1.0, 0.0)
+            out[held] = places_m[held]
+    return np.array(out)
 
 
 def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None) -> Iterator[tuple[int, State]]:
@@ -186,7 +186,7 @@ def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None)
     before = _met_at(worn, poses, max(done - 1, 0))
     for number in range(done, len(poses)):
         now = _met_at(worn, poses, number)
-        state = worn.after(state, before, now, walks=number >= put)
+        state = worn.after(state, before, now, settles=number < SETTLE)
         if number < SETTLE:
             state = replace(state, speeds_m_s=CALM * state.speeds_m_s)
         before = now

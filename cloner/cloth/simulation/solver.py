@@ -2,7 +2,8 @@
 
 A piece is a network of threads: an edge's stiffness is that of warp, weft and shearing by its direction in the plane of
 its piece; across every inner edge a thread that skips it resists bending (the source's structural, diagonal and
-interleaving springs). Threads that share no vertex are solved at once.
+interleaving springs). A frame is `core/engine.ts`'s, in WebAssembly: a fifth of the time that NumPy took, the same bits
+everywhere.
 
 References
 ----------
@@ -20,33 +21,23 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.cloth.drafting.cut import Cloth, hinges_of
-from cloner.cloth.simulation.contact import Spacing, keep_apart, pairs_of, spacing_of
+from cloner.cloth.simulation.core.host import Core
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.forces import Slips
-from cloner.cloth.simulation.threads import Threads, grouped, limits, pull, springs
-from cloner.cloth.simulation.wearer import Planes, Skin, planes_under
+from cloner.cloth.simulation.threads import Spacing, Threads, in_groups, spacing_of
+from cloner.cloth.simulation.wearer import Skin
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
 
-#: Gravity and the density of air at 20 degrees.
-GRAVITY_M_S2: Final = 9.81
-AIR_KG_M3: Final = 1.2
-#: Drag of a plate across the wind (textbook: 1.2 to 2).
-DRAG: Final = 1.3
 #: Cloth rests this far from the skin, metres: thicker than the cloth, so that triangles' middles stay out as well.
 THICK_M: Final = 0.006
 #: Skin farther than this cannot be reached between two searches, metres.
 REACH_M: Final = 0.08
 #: No point of cloth moves faster, m/s: what would is a fault of the start.
 FASTEST_M_S: Final = 12.0
-#: Cloth may hang this much longer than it is.
-LEASH: Final = 1.01
-#: Threads resist bending in one of so many small steps, and are kept from growing.
-SELDOM, OFTEN = 4, 2
-#: Times a frame that cloth looks for what it may meet. With 2 a skirt passed through itself in 7 frames of 168, with 4
-#: in none.
-SEARCHES: Final = 4
+#: No thread stays longer than this: fabrics stiffen (KES curves rise steeply towards EM).
+LONGEST: Final = 1.03
 #: Share of its speed that cloth keeps a second by itself: threads rub.
 KEPT: Final = 0.25
 
@@ -113,8 +104,8 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
         faces,
         np.asarray(mass, np.float64),
         np.asarray(area, np.float64),
-        grouped(ends, rest, 1.0 / stiff, cloth.count),
-        grouped(bends, flat_m, 1.0 / bending, cloth.count),
+        in_groups(ends, rest, 1.0 / stiff, cloth.count),
+        in_groups(bends, flat_m, 1.0 / bending, cloth.count),
         ends,
         rest,
         held,
@@ -162,8 +153,31 @@ class Lead:
     share: float
 
 
+def core_of(sheet: Sheet, skin_points: int) -> Core:
+    """Return an engine for a garment that meets so many points of skin."""
+    stretch, bend, count = sheet.stretch, sheet.bend, len(sheet.mass_kg)
+    core = Core(
+        vertices=count, triangles=len(sheet.faces), stretches=len(stretch.ends), bends=len(bend.ends),
+        helds=len(sheet.held), neighbours=len(sheet.spacing.neighbours), skins=skin_points,
+    )  # fmt: skip
+    hung = np.isfinite(sheet.leash_m)
+    told = {
+        "free": 1.0 / sheet.mass_kg, "faces": sheet.faces, "held": sheet.held,
+        "stretch_ends": stretch.ends, "stretch_rest": stretch.rest_m, "stretch_gives": stretch.compliance,
+        "bend_ends": bend.ends, "bend_rest": bend.rest_m, "bend_gives": bend.compliance,
+        "anchor": np.where(hung, sheet.anchor, -1), "leash": np.where(hung, sheet.leash_m, 0.0),
+        "radius": sheet.spacing.radius_m, "next_first": sheet.spacing.first, "next": sheet.spacing.neighbours,
+    }  # fmt: skip
+    for name, values in told.items():
+        core.arrays[name][:] = values
+    core.arrays["free"][sheet.held] = 0.0
+    core.call("ready")
+    return core
+
+
 def step(
-    sheet: Sheet,
+    core: Core,
+    fabric: Fabric,
     state: State,
     skin_now: Skin,
     held_m: tuple[Array, Array],
@@ -171,12 +185,15 @@ def step(
     substeps: int,
     wind_m_s: Array,
     lead: Lead | None = None,
+    fastest_m_s: float = FASTEST_M_S,
 ) -> State:
     """Return the state a frame later.
 
     Parameters
     ----------
-    sheet : Sheet
+    core : Core
+        The garment's (`core_of`).
+    fabric : Fabric
     state : State
     skin_now : Skin
         The body at the frame's beginning and end.
@@ -188,83 +205,21 @@ def step(
     wind_m_s : (3,)
         Speed of the air.
     lead : Lead or None
+    fastest_m_s : float
     """
-    places, speeds, h = state.places_m.copy(), state.speeds_m_s.copy(), seconds / substeps
-    free = 1.0 / sheet.mass_kg
-    free[sheet.held] = 0.0
-    kept = KEPT**h
-    stretch, bend, longest = springs(sheet.stretch, free, h), springs(sheet.bend, free, h), limits(sheet.stretch, free)
-    tree, quarter = skin_now.tree, max(1, substeps // SEARCHES)
-    for number in range(substeps):
-        if number % quarter == 0:
-            planes = planes_under(skin_now, tree, places, REACH_M)
-            pairs = pairs_of(sheet.spacing, places, speeds, quarter * h)
-            thrust = air(sheet, places, speeds, wind_m_s) * free[:, None]
-            thrust[:, 1] -= GRAVITY_M_S2
-        before = places.copy()
-        speeds += h * thrust
-        _slow_down(speeds)
-        places += h * speeds
-        share = (number + 1) / substeps
-        places[sheet.held] = (1.0 - share) * held_m[0] + share * held_m[1]
-        if lead is not None:
-            gone = 1.0 - (1.0 - lead.share) ** (1.0 / substeps)
-            places += gone * ((1.0 - share) * lead.early_m + share * lead.late_m - places)
-        if number % SELDOM == 0:
-            pull(bend, places)
-        leash(sheet, places)
-        pull(stretch, places)
-        if number % OFTEN == 0:
-            pull(longest, places, slack=True)
-        keep_apart(pairs, places, free)
-        keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
-        speeds = (places - before) * (kept / h)
-    return State(places, speeds)
-
-
-def leash(sheet: Sheet, places: Array) -> None:
-    """Draw back what went farther from the ring than its cloth is long (Kim, Chentanez, Müller 2012)."""
-    if not len(sheet.held):
-        return
-    away = places - places[sheet.anchor]
-    length2, longest = np.einsum("ij,ij->i", away, away), LEASH * sheet.leash_m
-    rows = np.flatnonzero(length2 > longest**2)
-    share = longest[rows] / np.sqrt(length2[rows])
-    places[rows] -= (1.0 - share)[:, None] * away[rows]
-
-
-def _slow_down(speeds: Array) -> None:
-    """Let nothing move faster than `FASTEST_M_S`."""
-    speed2 = np.einsum("ij,ij->i", speeds, speeds)
-    rows = np.flatnonzero(speed2 > FASTEST_M_S**2)
-    speeds[rows] *= (FASTEST_M_S / np.sqrt(speed2[rows]))[:, None]
-
-
-def keep_out(planes: Planes, places: Array, before: Array, friction: float, share: float, step_share: float) -> None:
-    """Push points out of the skin; what slides is held by as much as it was pushed, times the friction."""
-    base = planes.early_m + share * (planes.late_m - planes.early_m)
-    own = places[planes.rows]
-    deep = THICK_M - np.einsum("ij,ij->i", own - base, planes.normals)
-    touching = deep > 0.0
-    rows, normals, pushed = planes.rows[touching], planes.normals[touching], deep[touching]
-    moved = own[touching] - before[rows] - step_share * (planes.late_m - planes.early_m)[touching]
-    slid = moved - np.einsum("ij,ij->i", moved, normals)[:, None] * normals
-    far = np.maximum(np.linalg.norm(slid, axis=1), 1e-12)
-    hold = np.minimum(1.0, friction * pushed / far)
-    places[rows] = own[touching] + pushed[:, None] * normals - hold[:, None] * slid
-
-
-def air(sheet: Sheet, places: Array, speeds: Array, wind_m_s: Array) -> Array:
-    """Return (N, 3) the air's force on each vertex, newtons: what meets a triangle straight on."""
-    corner = places[sheet.faces]
-    across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    length = np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    normal = across / length
-    against = np.einsum("ij,ij->i", wind_m_s - speeds[sheet.faces].mean(axis=1), normal)
-    size = 0.5 * AIR_KG_M3 * DRAG * sheet.fabric.air * against * np.abs(against) * length[:, 0] / 2.0
-    each = (size / 3.0)[:, None] * normal
-    rows = sheet.faces.ravel()
-    return np.stack([np.bincount(rows, np.repeat(each[:, axis], 3), len(places)) for axis in range(3)], axis=1)
+    now = core.arrays
+    core.meet(skin_now)
+    now["place"][:], now["velocity"][:] = state.places_m, state.speeds_m_s
+    now["held_early"][:], now["held_late"][:] = held_m
+    led = 0.0
+    if lead is not None:
+        now["lead_early"][:], now["lead_late"][:] = lead.early_m, lead.late_m
+        led = 1.0 - (1.0 - lead.share) ** (1.0 / substeps)
+    core.call(
+        "frame", seconds, substeps, THICK_M, REACH_M, fastest_m_s, LONGEST, fabric.friction,
+        KEPT ** (seconds / substeps), *(float(speed) for speed in wind_m_s), fabric.air, led,
+    )  # fmt: skip
+    return State(np.array(now["place"]), np.array(now["velocity"]))
 
 
 def strains(sheet: Sheet, places_m: Array) -> Array:

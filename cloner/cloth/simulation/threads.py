@@ -1,4 +1,4 @@
-"""Threads of cloth: drawn to their lengths in groups that share no vertex, as springs or as what does not give further.
+"""Threads of cloth: which stay apart, and in which order they are drawn to their lengths.
 
 References
 ----------
@@ -18,39 +18,33 @@ from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
 
-#: No thread stays longer than this: fabrics stiffen (KES curves rise steeply towards EM).
-LONGEST: Final = 1.03
+#: How far apart vertices stay, of the mean edge at both. At .6, .7, .8 and .9 a circle skirt crosses itself in 48, 0, 0
+#: and 0 triangles of the median frame, a long skirt in 21, 10, 0, 0, a cape in 21, 0, 0, 0, trousers in 5, 3, 0, 0.
+APART: Final = 0.9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Threads:
-    """Threads in groups that share no vertex.
+    """Threads in the order in which they are drawn.
 
     Attributes
     ----------
-    groups : tuple of (int64 (2 G,), float64 (G,), float64 (G,))
-        All first ends, then all second ones; rest length in metres, compliance in m/N.
+    ends : (S, 2) int64
+    rest_m : (S,) float64
+    compliance : (S,) float64, m/N
     """
 
-    groups: tuple[tuple[Ints, Array, Array], ...]
+    ends: Ints
+    rest_m: Array
+    compliance: Array
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Drawn:
-    """Threads ready to be drawn, for given masses and a given small step.
+def in_groups(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads:
+    """Return threads group after group, no two of a group sharing a vertex: what is drawn spreads alike everywhere.
 
-    Attributes
-    ----------
-    groups : tuple of (int64 (2 G,), float64 (G,), float64 (G,), float64 (G,))
-        All first ends, then all second ones; lengths in metres; the share of what is missing that the first ends go,
-        and the second ends.
+    In the order of their vertices a skirt's threads stay 6.1 % too long instead of 3.8 (99th percentile, 40 small
+    steps); back and forth by turns they tremble, 20 %.
     """
-
-    groups: tuple[tuple[Ints, Array, Array, Array], ...]
-
-
-def grouped(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads:
-    """Return threads in the fewest groups that going through them once finds."""
     used = [0] * count
     group = np.empty(len(ends), dtype=np.int64)
     for row, (one, other) in enumerate(ends.tolist()):
@@ -59,49 +53,35 @@ def grouped(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads
         group[row] = free
         used[one] |= 1 << free
         used[other] |= 1 << free
-    rows = [np.flatnonzero(group == number) for number in range(int(group.max(initial=-1)) + 1)]
-    return Threads(tuple((ends[own].T.ravel(), rest_m[own], compliance[own]) for own in rows))
+    order = np.argsort(group, kind="stable")
+    return Threads(ends[order], rest_m[order], compliance[order])
 
 
-def springs(threads: Threads, free: Array, h: float) -> Drawn:
-    """Return threads that give as their fabric does, for inverse masses (N,) and a step of ``h`` seconds."""
-    return _ready(threads, free, 1.0 / h**2, 1.0)
+@dataclass(frozen=True, slots=True, eq=False)
+class Spacing:
+    """How far a cloth's vertices stay apart.
 
-
-def limits(threads: Threads, free: Array) -> Drawn:
-    """Return threads that give by nothing once they are `LONGEST` (Provot 1995), to be drawn as ``slack``."""
-    return _ready(threads, free, 0.0, LONGEST)
-
-
-def _ready(threads: Threads, free: Array, softer: float, longer: float) -> Drawn:
-    found = []
-    for ends, rest, compliance in threads.groups:
-        first, second = free[ends].reshape(2, -1)
-        both = first + second + softer * compliance + 1e-12
-        found.append((ends, longer * rest, first / both, second / both))
-    return Drawn(tuple(found))
-
-
-def pull(drawn: Drawn, places: Array, *, slack: bool = False) -> None:
-    """Move the ends of threads (places (N, 3), in place) to their lengths; with ``slack`` short ones stay short.
-
-    Group after group. Coordinates lie apart meanwhile: four times as fast as rows of three.
+    Attributes
+    ----------
+    radius_m : (N,) float64
+        Two vertices stay the sum of theirs apart.
+    first : (N + 1,) int64, neighbours : (K,) int64
+        Each one's neighbours, whom threads hold: from its own ``first`` up to the next one's. Those that lie across an
+        edge, nearer in the plane of their piece than cloth keeps apart, as ``~row``.
     """
-    apart = np.ascontiguousarray(places.T)
-    for ends, rest, first, second in drawn.groups:
-        count = len(rest)
-        own = apart.take(ends, axis=1, mode="clip")  # no index is checked twice
-        away = own[:, count:] - own[:, :count]
-        share = np.einsum("aj,aj->j", away, away)
-        np.sqrt(share, out=share)
-        np.maximum(share, 1e-9, out=share)
-        np.divide(rest, share, out=share)
-        np.subtract(1.0, share, out=share)
-        if slack:
-            np.maximum(share, 0.0, out=share)
-        away *= share
-        own[:, :count] += away * first
-        own[:, count:] -= away * second
-        for axis in range(3):
-            apart[axis][ends] = own[axis]
-    places[:] = apart.T
+
+    radius_m: Array
+    first: Ints
+    neighbours: Ints
+
+
+def spacing_of(edges: Ints, rest_m: Array, across: Ints, across_m: Array, count: int) -> Spacing:
+    """Return the spacing of a cloth with edges (E, 2) of rest lengths (E,); ``across`` (I, 2) lie over an edge."""
+    ends = edges.T.ravel()
+    each = np.bincount(ends, np.tile(rest_m, 2), count) / np.maximum(np.bincount(ends, minlength=count), 1)
+    radius = APART / 2.0 * each
+    near = across[across_m < radius[across].sum(axis=1)]
+    one, other = np.concatenate([edges, edges[:, ::-1], near, near[:, ::-1]]).T
+    other[2 * len(edges) :] = ~other[2 * len(edges) :]
+    order = np.argsort(one, kind="stable")
+    return Spacing(radius, np.searchsorted(one[order], np.arange(count + 1)).astype(np.int64), other[order])

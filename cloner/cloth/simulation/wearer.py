@@ -7,11 +7,9 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, skin
-from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -24,8 +22,6 @@ FRAMES_PER_S: Final = 30
 #: What a skirt meets; arms swing beside it. Sleeves and capes meet arms and hands too.
 MET: Final = ("torso", "pelvis", "left_thigh", "right_thigh", "left_calf", "right_calf", "left_foot", "right_foot")
 ARMS: Final = ("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm", "left_hand", "right_hand")
-#: Skin points that are blended into one tangent plane.
-NEAREST: Final = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,52 +90,7 @@ class Skin:
     late_m: Array
     normals: Array
 
-    @property
-    def tree(self) -> cKDTree:
-        """A tree of the places in the middle between both."""
-        return cKDTree((self.early_m + self.late_m) / 2.0)
-
 
 def skin_between(body: Wearer, early_m: Array, late_m: Array) -> Skin:
     """Return the skin between two frames."""
     return Skin(early_m, late_m, vertex_normals(late_m, body.triangles.astype(np.int32)))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Planes:
-    """Tangent planes under cloth points: those of the nearest skin, blended.
-
-    Attributes
-    ----------
-    rows : (N,) int64
-        The cloth points that have one.
-    early_m, late_m : (N, 3)
-        A point of each plane at two moments.
-    normals : (N, 3) unit
-    """
-
-    rows: Ints
-    early_m: Array
-    late_m: Array
-    normals: Array
-
-    def push_out(self, places_m: Array, clear_m: float, held: Ints | None = None) -> None:
-        """Move places (N, 3) in place until they lie ``clear_m`` above their planes; those ``held`` (K,) stay."""
-        deep = clear_m - np.einsum("ij,ij->i", places_m[self.rows] - self.late_m, self.normals)
-        if held is not None:
-            deep[np.isin(self.rows, held)] = 0.0
-        places_m[self.rows] += np.maximum(deep, 0.0)[:, None] * self.normals
-
-
-def planes_under(skin_now: Skin, tree: cKDTree, points_m: Array, reach_m: float) -> Planes:
-    """Return the tangent planes under points (N, 3) that lie within reach of the skin or inside it."""
-    away, near = tree.query(points_m, k=NEAREST)
-    away2 = away**2
-    rows = np.flatnonzero(away[:, 0] < reach_m)
-    weight = 1.0 / (away2[rows] + 1e-6)
-    weight /= weight.sum(axis=1, keepdims=True)
-    near = near[rows]
-    normals = np.einsum("nk,nka->na", weight, skin_now.normals[near])
-    normals = unit(normals)
-    early, late = (np.einsum("nk,nka->na", weight, place[near]) for place in (skin_now.early_m, skin_now.late_m))
-    return Planes(rows, early, late, normals)

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from cloner.cloth.drafting.cut import Cloth
 from cloner.cloth.drafting.pattern import Pattern, Segment, even
 from cloner.cloth.drafting.sections import STEP_M, Sections, girth_of, wider
+from cloner.cloth.simulation.core.host import pushed_out
 from cloner.cloth.simulation.placing import OUTSIDE_M
-from cloner.cloth.simulation.wearer import planes_under, skin_between, wearer
+from cloner.cloth.simulation.wearer import skin_between, wearer
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
@@ -40,11 +41,22 @@ def wrapped(pattern: Pattern, cloth: Cloth, body: Sections) -> tuple[Array, Ints
     skin = wearer(body.clone, whole=True)
     skin_m = body.clone.vertices_m[skin.rows]
     now = skin_between(skin, skin_m, skin_m)
-    tree = now.tree
+    left, right = (_of_leg(side, pattern, cloth) for side in ("left", "right"))
     for _ in range(PUSHES):
-        planes_under(now, tree, places, DEEP_M).push_out(places, OUTSIDE_M)
+        places = pushed_out(places, now, OUTSIDE_M, DEEP_M)
+        places[left & ~right, 0] = np.maximum(places[left & ~right, 0], OUTSIDE_M)  # legs' pieces do not cross
+        places[right & ~left, 0] = np.minimum(places[right & ~left, 0], -OUTSIDE_M)
     held = np.unique(cloth.vertex[np.concatenate([np.zeros(0, np.int64), *(cloth.edges[e] for e in pattern.held)])])
     return places, held, places[held]
+
+
+def _of_leg(side: str, pattern: Pattern, cloth: Cloth) -> NDArray[np.bool_]:
+    """Return (N,) whether vertices are of a leg's pieces."""
+    own = np.zeros(cloth.count, dtype=bool)
+    for number, segment in enumerate(pattern.segments):
+        if segment.around.startswith(f"{side}_leg"):
+            own[cloth.vertex[cloth.segment == number]] = True
+    return own
 
 
 def _part(segment: Segment) -> str:

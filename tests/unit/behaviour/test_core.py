@@ -1,10 +1,9 @@
-"""The engine is what its source says, and gives the same bits in Python, node and Chromium."""
+"""The engine gives the same bits in Python, node and Chromium."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-import os
 import re
 import shutil
 from pathlib import Path
@@ -22,10 +21,7 @@ from cloner.behaviour.world import world_of
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
 from kit.engine_log import in_node, kept_places, log_of, page
-from kit.scripts import script
 
-BUILD = script("build_engine")
-PACKAGES = Path(os.environ.get("CLONER_NODE_MODULES", "/nowhere"))
 STEPS, EVERY = 10_000, 1_000
 #: Everything that moves people: curves, fields, flocking, wanderers, a counter, other orders on the way, who leaves.
 BUSY = """
@@ -101,17 +97,6 @@ def played(request: pytest.FixtureRequest) -> tuple[str, list[bytes], str]:
     }
     assert world.bodies.present.all() != busy, "some of the busy have left"
     return log, kept, digest(world)
-
-
-def test_the_module_is_what_its_provenance_says() -> None:
-    told = json.loads(MODULE.with_name("PROVENANCE.json").read_text(encoding="utf-8"))[0]
-    assert told["sha256"] == hashlib.sha256(MODULE.read_bytes()).hexdigest()
-    assert told["source"] == BUILD.source_digests(), "generic_models/build/build_engine.py was not run"
-
-
-@pytest.mark.skipif(not (PACKAGES / "node_modules" / "assemblyscript").is_dir(), reason="no AssemblyScript here")
-def test_the_module_is_built_again_to_the_byte() -> None:
-    assert BUILD.built(PACKAGES) == MODULE.read_bytes()
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no node on this machine")

@@ -39,7 +39,7 @@ def worn(eva: Clone) -> tuple[Dressed, Dressed, Dressed]:
     for name, fabric, over in (("dress", "silk", False), ("coat", "wool", True), ("coat", "wool", False)):
         pattern, ring = pattern_of(eva, name, None)
         under = made[0] if over else None
-        made.append(dressed(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.06, under=under))
+        made.append(dressed(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.045, under=under))
     return made[0], made[1], made[2]
 
 

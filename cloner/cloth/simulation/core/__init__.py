@@ -1,0 +1,1 @@
+"""The engine of cloth: `engine.wasm`, made of the AssemblyScript here."""
