@@ -54,7 +54,7 @@ FILES: Final[Mapping[str, Callable[[Path, Sections], Pattern]]] = {
     ".svg": read_svg_garment,
 }
 #: Cycles that are simulated to find a loop in, and the step of the cloth's triangles: about 5,000 vertices in a skirt.
-CYCLES: Final = 8
+CYCLES: Final = 12
 STEP_M: Final = 0.0152
 #: Lengths that a garment can have, metres, and trousers below their crotch.
 LENGTHS_M: Final = (0.15, 1.2)

@@ -146,11 +146,22 @@ def _edges(cloth: Cloth) -> tuple[Ints, Array, Array]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lead:
-    """Where cloth is led: places (N, 3) at a frame's beginning and end, and the share of the way that is gone."""
+    """Where cloth is led.
+
+    Attributes
+    ----------
+    early_m, late_m : (N, 3) float64
+        Places at a frame's beginning and end.
+    share : float
+        Of the way there that is gone.
+    firm : float
+        From 0, place and speed become those of where it is led, to 1, it is pushed there.
+    """
 
     early_m: Array
     late_m: Array
     share: float
+    firm: float
 
 
 def core_of(sheet: Sheet, skin_points: int) -> Core:
@@ -211,13 +222,14 @@ def step(
     core.meet(skin_now)
     now["place"][:], now["velocity"][:] = state.places_m, state.speeds_m_s
     now["held_early"][:], now["held_late"][:] = held_m
-    led = 0.0
+    led = firm = 0.0
     if lead is not None:
         now["lead_early"][:], now["lead_late"][:] = lead.early_m, lead.late_m
         led = 1.0 - (1.0 - lead.share) ** (1.0 / substeps)
+        firm = lead.firm
     core.call(
         "frame", seconds, substeps, THICK_M, REACH_M, fastest_m_s, LONGEST, fabric.friction,
-        KEPT ** (seconds / substeps), *(float(speed) for speed in wind_m_s), fabric.air, led,
+        KEPT ** (seconds / substeps), *(float(speed) for speed in wind_m_s), fabric.air, led, firm,
     )  # fmt: skip
     return State(np.array(now["place"]), np.array(now["velocity"]))
 

@@ -146,12 +146,16 @@ export function keepGap(): void {
     }
     if (square >= gap * gap && !passed) continue;
     const far = sqrt(square);
-    const light = w0 * w0 * f(free, p) + w1 * w1 * f(free, q) + w2 * w2 * f(free, r) + w3 * w3 * f(free, s);
-    const share = (passed ? far + gap : far - gap) / far / max(light, 1e-12);
-    move(p, share * w0 * f(free, p), dx, dy, dz);
-    move(q, share * w1 * f(free, q), dx, dy, dz);
-    move(r, share * w2 * f(free, r), dx, dy, dz);
-    move(s, share * w3 * f(free, s), dx, dy, dz);
+    const first = w0 * f(free, p), second = w1 * f(free, q), third = w2 * f(free, r), fourth = w3 * f(free, s);
+    // where only a far end is free it goes no farther than what is lacking
+    const most = max(max(abs(first), abs(second)), max(abs(third), abs(fourth)));
+    const light = max(w0 * first + w1 * second + w2 * third + w3 * fourth, most);
+    if (light == 0.0) continue;
+    const share = (passed ? far + gap : far - gap) / far / light;
+    move(p, share * first, dx, dy, dz);
+    move(q, share * second, dx, dy, dz);
+    move(r, share * third, dx, dy, dz);
+    move(s, share * fourth, dx, dy, dz);
   }
 }
 
