@@ -93,7 +93,7 @@ def best_loop(worn: Worn, places_m: Array) -> Loop:
         if len(finalists) == FINALISTS:
             break
     edges = {start: _edge_px(worn, places_m[start], places_m[start + period]) for start in finalists}
-    closed = []
+    closed: list[tuple[int, int, int, Array, float]] = []
     for start in sorted(edges, key=edges.__getitem__):
         frames_m, left = _closed(worn, places_m, start)
         closed.append((_crossed(worn, frames_m), len(closed), start, frames_m, left))
