@@ -30,8 +30,6 @@ DOCS = Path(__file__).resolve().parents[1] / "docs"
 Array = np.ndarray
 #: Places on a triangle that stand for it: a skin of 2 cm triangles is sampled every few millimetres.
 SAMPLES = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6.0
-#: Skin farther than this from all points is not theirs, metres.
-FAR_M = 0.06
 #: Cycles of the table of all garments.
 FEW = 4
 
@@ -40,8 +38,6 @@ def depths_m(worn: Worn, frame: int, points: Array) -> Array:
     """Return how deep points lie inside the skin of a frame, by its nearest sample: no part of the solver's own contact."""
     skin = worn.body.posed(worn.root_m[frame], worn.rotations[frame])
     corner = skin[worn.body.triangles]
-    away, _ = cKDTree(points).query(corner.mean(axis=1), distance_upper_bound=FAR_M)
-    corner = corner[away < FAR_M]
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
     places = np.einsum("sk,tka->tsa", SAMPLES, corner)
