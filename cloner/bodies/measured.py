@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
+import numpy as np
+
 from cloner.bodies.family import round_body, usual_body
 from cloner.bodies.fitting import fitted
 from cloner.bodies.lengths import stretched
@@ -17,6 +19,14 @@ from cloner.records.bodies import BodyMesh
 #: What is given to nobody: farther than this from what was told, mm.
 FAR_MM: Final = 5.0
 ROUNDS: Final = 2
+#: Untold girths lie within so many spreads of what is likeliest beside the told ones (2 are wanted), if told measures
+#: stay this near: ankles of men lay up to 4 spreads off, since the family's men have thin ones. Limbs alone where the
+#: trunk's would contradict what was told.
+WITHIN: Final = 1.9
+KEPT_MM: Final = 0.9  # told girths; lengths twice as far
+LIMBS: Final = (
+    "neck_girth", "thigh_girth", "knee_girth", "calf_girth", "ankle_girth", "upper_arm_girth", "wrist_girth"
+)  # fmt: skip
 #: Untold measures that the population tells the family; those the family knows as well follow by themselves.
 LIKELY: Final = (
     "neck_girth", "bust_girth", "underbust_girth", "waist_girth", "navel_girth", "hip_girth", "thigh_girth",
@@ -35,7 +45,8 @@ def measured_body(told: Told) -> BodyMesh:
     untold = {key: pair for key, pair in untold_mm(told).items() if key in LIKELY}
     base = usual_body(told.sex, told.stature_m, told.age_years)
     family = round_body(base, told.stature_m)
-    return _close(fitted(family, load_tape_rules(), told.mm, untold, seat=told.seat), told, load_tape_rules())
+    rules = load_tape_rules()
+    return _likely(_close(fitted(family, rules, told.mm, untold, seat=told.seat), told, rules), told, rules)
 
 
 def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
@@ -48,6 +59,27 @@ def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
     """
     rules = load_tape_rules()
     return _close(fitted(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat), told, rules)
+
+
+def _likely(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:
+    """Return the body with unlikely untold girths brought near the likeliest, as far as those told stay met."""
+    usual = {key: pair for key, pair in untold_mm(told).items() if key in GIRTHS}
+    shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=told.seat).mm
+    girths = {key: value for key, value in told.mm.items() if key in GIRTHS}
+    far = {
+        key: mean + float(np.copysign(WITHIN, shown[key] - mean)) * spread
+        for key, (mean, spread) in usual.items()
+        if abs(shown[key] - mean) > WITHIN * spread
+    }
+    for keys in (GIRTHS, LIMBS):
+        asked = {key: value for key, value in far.items() if key in keys}
+        if not asked:
+            continue
+        found = met(body, rules, girths | asked, told.sex, seat=told.seat)
+        now = read(found.vertices_m, found.joints_m, rules, tuple(told.mm), seat=told.seat).mm
+        if all(abs(now[key] - value) < KEPT_MM * (1 if key in GIRTHS else 2) for key, value in told.mm.items()):
+            return found
+    return body
 
 
 def _close(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:

@@ -55,6 +55,8 @@ STUDIO_SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "the outline of the piece %1 goes out of all bounds"),
         QT_TRANSLATE_NOOP("told", "the fabric %1 is not known"),
         QT_TRANSLATE_NOOP("told", "The fabrics are %1"),
+        QT_TRANSLATE_NOOP("told", "there is not memory enough for the cloth"),
+        QT_TRANSLATE_NOOP("told", "Make its triangles larger"),
         QT_TRANSLATE_NOOP("told", "the garment %1 is not known"),
         QT_TRANSLATE_NOOP("told", "The garments are %1, or a .json or .svg file"),
         QT_TRANSLATE_NOOP("told", "a %1 of %2 cm cannot be cut"),

@@ -3706,6 +3706,14 @@
         <translation>Die Stoffe sind %1</translation>
     </message>
     <message>
+        <source>there is not memory enough for the cloth</source>
+        <translation>der Speicher reicht nicht für den Stoff</translation>
+    </message>
+    <message>
+        <source>Make its triangles larger</source>
+        <translation>Seine Dreiecke größer machen</translation>
+    </message>
+    <message>
         <source>the garment %1 is not known</source>
         <translation>das Kleidungsstück %1 ist nicht bekannt</translation>
     </message>

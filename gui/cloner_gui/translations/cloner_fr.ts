@@ -3706,6 +3706,14 @@
         <translation>Les tissus sont %1</translation>
     </message>
     <message>
+        <source>there is not memory enough for the cloth</source>
+        <translation>il n’y a pas assez de mémoire pour le tissu</translation>
+    </message>
+    <message>
+        <source>Make its triangles larger</source>
+        <translation>Agrandissez ses triangles</translation>
+    </message>
+    <message>
         <source>the garment %1 is not known</source>
         <translation>le vêtement %1 n&apos;est pas connu</translation>
     </message>

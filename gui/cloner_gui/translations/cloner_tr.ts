@@ -3705,6 +3705,14 @@
         <translation>Kumaşlar: %1</translation>
     </message>
     <message>
+        <source>there is not memory enough for the cloth</source>
+        <translation>kumaş için yeterli bellek yok</translation>
+    </message>
+    <message>
+        <source>Make its triangles larger</source>
+        <translation>Üçgenlerini büyütün</translation>
+    </message>
+    <message>
         <source>the garment %1 is not known</source>
         <translation>%1 giysisi bilinmiyor</translation>
     </message>
