@@ -22,6 +22,8 @@ from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
 
+#: By how much points of an outline may lie beyond it, metres.
+ROUNDED_M: Final = 1e-9
 #: Cloth round a part closes where it has at least this share of the part's girth.
 CLOSES: Final = 0.9
 #: Steps of height in which an armhole may begin.
@@ -70,7 +72,7 @@ def _spans(segment: Segment, heights: Array) -> tuple[Array, Array]:
     start, end = outline, np.roll(outline, -1, axis=0)
     low, high = np.full(len(heights), np.inf), np.full(len(heights), -np.inf)
     for one, other in zip(start, end, strict=True):
-        inside = (heights >= min(one[1], other[1])) & (heights <= max(one[1], other[1]))
+        inside = (heights >= min(one[1], other[1]) - ROUNDED_M) & (heights <= max(one[1], other[1]) + ROUNDED_M)
         share = (heights[inside] - one[1]) / (other[1] - one[1]) if other[1] != one[1] else 0.0
         at = one[0] + share * (other[0] - one[0])
         low[inside], high[inside] = np.minimum(low[inside], at), np.maximum(high[inside], at)

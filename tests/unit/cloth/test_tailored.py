@@ -12,15 +12,16 @@ from scipy.sparse.csgraph import connected_components
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.cloth.drafting.blocks import BLOCKS
+from cloner.cloth.drafting.blocks import BLOCKS, line
 from cloner.cloth.drafting.cut import Cloth, cut
-from cloner.cloth.drafting.pattern import check_pattern, length_m, pattern_text, read_pattern
+from cloner.cloth.drafting.pattern import Segment, check_pattern, length_m, pattern_text, read_pattern
 from cloner.cloth.drafting.sections import girth_of, hull_ring, sections, wider
 from cloner.cloth.dressing import GARMENTS, pattern_of
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.moving import put_on, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
+from cloner.cloth.simulation.wrapping import _spans
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.rig import centred
@@ -176,3 +177,13 @@ def test_a_cape_hangs_open_in_front(people: dict[str, Clone]) -> None:
     assert all(places[rows, 2].mean() > 0.1 for rows in free)  # both free edges lie before the chest
     seam = cloth.vertex[cloth.edges["left.right"]]
     assert places[seam, 2].mean() < 0.0
+
+
+def test_rounded_outlines_have_a_width_at_their_ends() -> None:
+    """An average man's hem lay a bit's breadth below its own outline: one vertex of each leg had no place."""
+    edges = {"hem": line((0.0, -0.9), (0.2, -0.9)), "side": line((0.2, -0.9), (0.2, 0.0))}
+    edges |= {"top": line((0.2, 0.0), (0.0, 0.0)), "other": line((0.0, 0.0), (0.0, -0.9))}
+    low, high = _spans(Segment("a", edges), np.array([np.nextafter(-0.9, -1.0), 0.0, np.nextafter(0.0, 1.0), 0.1]))
+    assert low[:3] == pytest.approx([0.0, 0.0, 0.0])
+    assert high[:3] == pytest.approx([0.2, 0.2, 0.2])
+    assert np.isnan([low[3], high[3]]).all()
