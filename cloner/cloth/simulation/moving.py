@@ -22,6 +22,7 @@ from cloner.cloth.simulation.solver import FASTEST_M_S, THICK_M, Lead, Sheet, St
 from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, skin_between, wearer
 from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrapped
 from cloner.easing import smoothstep
+from cloner.errors import ClonerError
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -125,6 +126,11 @@ def put_on(
 
     ``under`` is a garment that is worn already: the new one is placed over it. With ``elements`` the source's
     integrator moves it, else threads.
+
+    Raises
+    ------
+    ClonerError
+        If its pieces cannot be laid round the body.
     """
     cloth = cut(pattern, step_m)
     body = wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
@@ -137,6 +143,9 @@ def put_on(
     else:
         places, held, held_m = placed(pattern, cloth, ring)
         places = outside(places, met_m, held)
+    if not np.isfinite(places).all():
+        hint = "See docs/cloth.md for how a garment is drawn"
+        raise ClonerError(f"the garment {pattern.name!r} cannot be laid round this body", hint, "--garment")
     now = skin_between(body, met_m, met_m)
     if under is not None:
         places = pushed_out(places, now, THICK_M, DEEP_M, PUSHES)  # what will be held as well

@@ -55,6 +55,7 @@ STUDIO_SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "the outline of the piece %1 goes out of all bounds"),
         QT_TRANSLATE_NOOP("told", "the fabric %1 is not known"),
         QT_TRANSLATE_NOOP("told", "The fabrics are %1"),
+        QT_TRANSLATE_NOOP("told", "the garment %1 cannot be laid round this body"),
         QT_TRANSLATE_NOOP("told", "there is not memory enough for the cloth"),
         QT_TRANSLATE_NOOP("told", "Make its triangles larger"),
         QT_TRANSLATE_NOOP("told", "the garment %1 is not known"),

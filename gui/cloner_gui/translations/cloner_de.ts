@@ -3706,6 +3706,10 @@
         <translation>Die Stoffe sind %1</translation>
     </message>
     <message>
+        <source>the garment %1 cannot be laid round this body</source>
+        <translation>das Kleidungsstück %1 lässt sich nicht um diesen Körper legen</translation>
+    </message>
+    <message>
         <source>there is not memory enough for the cloth</source>
         <translation>der Speicher reicht nicht für den Stoff</translation>
     </message>

@@ -3706,6 +3706,10 @@
         <translation>Les tissus sont %1</translation>
     </message>
     <message>
+        <source>the garment %1 cannot be laid round this body</source>
+        <translation>le vêtement %1 ne peut pas être posé autour de ce corps</translation>
+    </message>
+    <message>
         <source>there is not memory enough for the cloth</source>
         <translation>il n’y a pas assez de mémoire pour le tissu</translation>
     </message>

@@ -3705,6 +3705,10 @@
         <translation>Kumaşlar: %1</translation>
     </message>
     <message>
+        <source>the garment %1 cannot be laid round this body</source>
+        <translation>%1 giysisi bu bedenin çevresine yerleştirilemez</translation>
+    </message>
+    <message>
         <source>there is not memory enough for the cloth</source>
         <translation>kumaş için yeterli bellek yok</translation>
     </message>

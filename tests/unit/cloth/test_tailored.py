@@ -187,3 +187,15 @@ def test_rounded_outlines_have_a_width_at_their_ends() -> None:
     assert low[:3] == pytest.approx([0.0, 0.0, 0.0])
     assert high[:3] == pytest.approx([0.2, 0.2, 0.2])
     assert np.isnan([low[3], high[3]]).all()
+
+
+def test_pieces_without_a_place_are_refused(people: dict[str, Clone], monkeypatch: pytest.MonkeyPatch) -> None:
+    clone = people["eva"]
+    pattern, _ = pattern_of(clone, "tee", None)
+
+    def nowhere(*_: object) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        return np.full((cut(pattern, 0.08).count, 3), np.nan), np.zeros(0, np.int64), np.zeros((0, 3))
+
+    monkeypatch.setattr("cloner.cloth.simulation.moving.wrapped", nowhere)
+    with pytest.raises(ClonerError, match="laid"):
+        put_on(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.08)
