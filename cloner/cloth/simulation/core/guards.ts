@@ -1,7 +1,7 @@
 // What lies so near itself that edges could pass through edges, or corners through triangles: kept apart one by one.
 //
-// Where skin presses layers of cloth together, vertices come nearer than cloth keeps apart; a small step moves cloth by
-// less than the gap that is kept here, so the side on which it lies is the one on which it is.
+// Where skin presses layers of cloth together, vertices come nearer than cloth keeps apart. What lies near such vertices
+// is guarded for a few small steps: its gap, and the side on which it was when they began.
 
 import {
   f, faces, free, i, place, radius, setF, setI, stretchEnds, stretches, take, triangles, velocity, vertices,
@@ -13,7 +13,7 @@ const GAP: f64 = 0.18;
 /** Two edges; a vertex and a triangle. */
 const EDGES: i32 = 0;
 const CORNER: i32 = 1;
-/** Nearer to an end, of an edge, a way turns freely. */
+/** Shares below this are an end: there the way to what is near turns freely, and tells no side. */
 const END: f64 = 1e-3;
 
 let edgeFirst: usize = 0; // n + 1, i32: where each vertex' edges begin in `edgeOther`
@@ -38,17 +38,17 @@ export function arrangeGuards(): void {
 
 /** Sort edges and triangles by their vertices. */
 export function sortGuards(): void {
-  sort(stretchEnds, 2 * stretches, 2, edgeFirst, edgeOther);
+  sort(stretchEnds, 2 * stretches, edgeFirst, edgeOther);
   for (let k = 0; k < 2 * stretches; k++) {
     const at = i(edgeOther, k);
     setI(edgeOther, k, i(stretchEnds, at ^ 1));
   }
-  sort(faces, 3 * triangles, 3, faceFirst, faceOf);
+  sort(faces, 3 * triangles, faceFirst, faceOf);
   for (let k = 0; k < 3 * triangles; k++) setI(faceOf, k, i(faceOf, k) / 3);
 }
 
 /** Where each vertex stands among `total` entries. */
-function sort(entries: usize, total: i32, each: i32, first: usize, listed: usize): void {
+function sort(entries: usize, total: i32, first: usize, listed: usize): void {
   memory.fill(first, 0, (<usize>vertices + 1) << 2);
   for (let k = 0; k < total; k++) setI(first, i(entries, k), i(first, i(entries, k)) + 1);
   for (let k = 1; k <= vertices; k++) setI(first, k, i(first, k) + i(first, k - 1));
