@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
@@ -42,11 +43,12 @@ def measured_body(told: Told) -> BodyMesh:
     ClonerError
         If a measure cannot be met.
     """
-    untold = {key: pair for key, pair in untold_mm(told).items() if key in LIKELY}
+    usual = untold_mm(told)
+    untold = {key: pair for key, pair in usual.items() if key in LIKELY}
     base = usual_body(told.sex, told.stature_m, told.age_years)
     family = round_body(base, told.stature_m)
     rules = load_tape_rules()
-    return _likely(_close(fitted(family, rules, told.mm, untold, seat=told.seat), told, rules), told, rules)
+    return _likely(_close(fitted(family, rules, told.mm, untold, seat=told.seat), told, rules), told, usual, rules)
 
 
 def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
@@ -61,9 +63,9 @@ def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
     return _close(fitted(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat), told, rules)
 
 
-def _likely(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:
+def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]], rules: TapeRules) -> BodyMesh:
     """Return the body with unlikely untold girths brought near the likeliest, as far as those told stay met."""
-    usual = {key: pair for key, pair in untold_mm(told).items() if key in GIRTHS}
+    usual = {key: pair for key, pair in untold.items() if key in GIRTHS}
     shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=told.seat).mm
     girths = {key: value for key, value in told.mm.items() if key in GIRTHS}
     far = {

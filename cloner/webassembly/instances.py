@@ -7,10 +7,10 @@ can touch no file, clock or network, only their own memory.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,21 @@ from cloner.errors import ClonerError
 
 #: Type and shape of an array.
 Shape = tuple[str, tuple[int, ...]]
+#: A module's memory ends at 4 GiB.
+LARGEST_BYTES: Final = 4_000_000_000
+
+
+def shapes_for(arrays: Iterable[tuple[str, str, tuple[str | int, ...]]], known: Mapping[str, int]) -> dict[str, Shape]:
+    """Return type and shape of arrays (name, type, sides), a side's name being how many there are of it."""
+    return {
+        name: (kind, tuple(known[side] if isinstance(side, str) else side for side in sides))
+        for name, kind, sides in arrays
+    }
+
+
+def bytes_of(shapes: Mapping[str, Shape]) -> int:
+    """Return how many bytes arrays take."""
+    return sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
 
 
 class Instance:

@@ -6,10 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
-import numpy as np
-
 from cloner.errors import ClonerError
-from cloner.webassembly.instances import Instance
+from cloner.webassembly.instances import LARGEST_BYTES, Instance, Shape, bytes_of, shapes_for
 
 MODULE: Final = Path(__file__).with_name("engine.wasm")
 #: How many there are of everything, in the order of `counts()` (core/memory.ts; minds and feet have theirs).
@@ -58,8 +56,7 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
     ("near", "<i4", ("rows", "cols", "reach")), ("walls", "<f8", ("walls", 4)),
     ("fields", "<f8", ("places", "rows", "cols", 2)), ("regions", "|b1", ("places", "rows", "cols")),
 )  # fmt: skip
-#: A module's memory ends at 4 GiB. What it does not lend takes so many bytes a cell, a person, a person's frame.
-_LARGEST_BYTES: Final = 4_000_000_000
+#: What the module does not lend takes so many bytes a cell, a person, a person's frame.
 _CELL_BYTES, _PERSON_BYTES, _FRAME_BYTES = 292, 460, 32
 
 
@@ -95,10 +92,9 @@ class Core(Instance):
         counted = [int(counts.get(name, 0)) for name in COUNTS]
         self.begun = {"counts": counted, "low": list(low), "period_m": period_m, "seed": str(seed)}
         shapes = shapes_of(counts)
-        lent = sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
         cells = counts["rows"] * counts["cols"]
         frames = counts.get("frames", 0) * counts["people"] * _FRAME_BYTES
-        if lent + frames + cells * _CELL_BYTES + counts["people"] * _PERSON_BYTES > _LARGEST_BYTES:
+        if bytes_of(shapes) + frames + cells * _CELL_BYTES + counts["people"] * _PERSON_BYTES > LARGEST_BYTES:
             raise ClonerError(
                 "the floor is too large for so many points", "Make it smaller, or take points away", "floor"
             )
@@ -111,12 +107,11 @@ class Core(Instance):
         return self.read(self.call("keep"))
 
 
-def shapes_of(counts: Mapping[str, int]) -> dict[str, tuple[str, tuple[int, ...]]]:
+def shapes_of(counts: Mapping[str, int]) -> dict[str, Shape]:
     """Return type and shape of each of `ARRAYS` for so many of everything."""
     known = {name: counts.get(name, 0) for name in COUNTS}
     known |= {f"{name}+": known[name] + 1 for name in ("homes", "emotions", "places")}
     known["told"] = 4 * known["people"] + 1024
     known["walkers"] = known["people"] if known["looks"] else 0
     known["footings"] = 32 * known["people"] + 1024 if known["looks"] else 0
-    return {name: (kind, tuple(known[one] if isinstance(one, str) else one for one in shape))
-            for name, kind, shape in ARRAYS}  # fmt: skip
+    return shapes_for(ARRAYS, known)

@@ -1,7 +1,8 @@
 // The arrays of the core, one after the other in the module's memory.
 //
 // What a host counts: 0 people, 1 rows and 2 columns of cells, 3 walls, 4 walls a cell's list holds, 5 places; what
-// follows is of `minds/state.ts` and `feet/state.ts`. `host.py` has the list of what is lent. Metres, seconds, radians; f64 unless told; pairs are x, y.
+// follows is of `minds/state.ts` and `feet/state.ts`. `host.py` has the list of what is lent. Metres, seconds, radians;
+// f64 unless told; pairs are x, y.
 // n people, c = rows x cols cells, p places.
 
 import { count, lend, take, taken } from "../../webassembly/arrays";

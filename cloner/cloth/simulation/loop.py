@@ -83,8 +83,9 @@ def best_loop(worn: Worn, places_m: Array) -> Loop:
     """
     period = len(worn.rotations)
     first = SETTLING * period
-    starts, gaps = np.arange(first, len(places_m) - period), _gaps_m(places_m[first - 1 :], period)
-    cuts = [_gaps_m(places_m[first - 1 :], apart) for apart in range(2 * period, len(places_m) - first, period)]
+    starts = np.arange(first, len(places_m) - period)
+    cuts = [_gaps_m(places_m[first - 1 :], apart) for apart in range(period, len(places_m) - first, period)]
+    gaps = cuts[0]
     order = np.argsort(gaps, kind="stable")
     finalists: list[int] = []
     for row in order:
@@ -101,7 +102,7 @@ def best_loop(worn: Worn, places_m: Array) -> Loop:
             break
     _, _, chosen, frames_m, left = min(closed)
     straight = np.roll(places_m[chosen : chosen + period], chosen % period, axis=0)
-    gap, usual = float(gaps[chosen - first]), float(np.median(np.concatenate([gaps, *cuts])))
+    gap, usual = float(gaps[chosen - first]), float(np.median(np.concatenate(cuts)))
     moved = float(np.linalg.norm(frames_m - straight, axis=2).max())
     return Loop(frames_m, chosen % period, 1e3 * gap, 1e3 * usual, 1e3 * left, edges[chosen], 1e3 * moved)
 

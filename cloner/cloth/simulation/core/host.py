@@ -10,7 +10,7 @@ import numpy as np
 from cloner.cloth.simulation.wearer import Skin
 from cloner.errors import ClonerError
 from cloner.records.arrays import Array
-from cloner.webassembly.instances import Instance
+from cloner.webassembly.instances import LARGEST_BYTES, Instance, bytes_of, shapes_for
 
 MODULE: Final = Path(__file__).with_name("engine.wasm")
 #: How many there are of everything, in the order of `counts()` (core/memory.ts).
@@ -30,8 +30,6 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
     ("plane_early", "<f8", ("vertices", 3)), ("plane_late", "<f8", ("vertices", 3)),
     ("plane_normal", "<f8", ("vertices", 3)), ("near", "|b1", ("vertices",)),
 )  # fmt: skip
-#: A module's memory ends at 4 GiB.
-_LARGEST_BYTES: Final = 4_000_000_000
 
 
 class Core(Instance):
@@ -51,11 +49,9 @@ class Core(Instance):
     def __init__(self, **counts: int) -> None:
         known = {name: counts.get(name, 0) for name in COUNTS}
         known["vertices+"] = known["vertices"] + 1
-        shapes = {name: (kind, tuple(known[one] if isinstance(one, str) else one for one in shape))
-                  for name, kind, shape in ARRAYS}  # fmt: skip
+        shapes = shapes_for(ARRAYS, known)
         missing = ClonerError("there is not memory enough for the cloth", "Make its triangles larger", "cloth")
-        lent = sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
-        if 2 * lent > _LARGEST_BYTES:  # the module's own arrays and pairs take less than what it lends
+        if 2 * bytes_of(shapes) > LARGEST_BYTES:  # the module's own arrays and pairs take less than what it lends
             raise missing
         super().__init__(MODULE, [known[name] for name in COUNTS], shapes, (), missing)
 
