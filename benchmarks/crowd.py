@@ -24,7 +24,7 @@ from skimage.metrics import structural_similarity
 
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
-from cloner.crowd.clones.levels import LOOSE, body_levels
+from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX, Stock
 from cloner.crowd.drawing.impostors import Bake, bake, with_tiles
 from cloner.crowd.drawing.theatre import Theatre
@@ -106,8 +106,8 @@ def person_of(pack: Path, results: Path, k: int) -> tuple[Cast, Stock, Bake]:
     row = facts["people"][k]
     clone = centred(load_clone(results / row["id"] / CLONE_FILE))
     flow = load_flow(results / row["id"], clone)
-    cast = cast_of(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow)
-    budgets = (len(cast.loose.triangles[0]), *LOOSE)
+    cast = cast_of(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow, budgets=held.budgets)
+    budgets = (len(cast.loose.triangles[0]), *held.budgets)
     plan = Bake(row["views"], elevations=held.elevations, texels_per_m=facts["switch"]["texels_per_m"])
     sets = [(int(one[0]), stock.Baked(int(one[2]))) for one in held.table[k, stock.SETS_AT :][: len(cast.clips)]]
     own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [sets], plan, budgets)

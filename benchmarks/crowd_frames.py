@@ -22,7 +22,7 @@ from PIL import Image
 
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import cast_of
-from cloner.crowd.clones.levels import LOOSE, body_levels
+from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.drawing.player import HELD, player_page
 from cloner.crowd.packs.files import packed
 from cloner.crowd.packs.pack import body_arrays
@@ -71,8 +71,11 @@ def whole_page(pack: Path, results: Path, folder: Path) -> tuple[Path, list[str]
     if held.tiles is None:
         raise ValueError("a pack has impostors")
     rows = facts["people"][:CLONES]
-    casts = [cast_of(row["id"], centred(load_clone(results / row["id"] / CLONE_FILE)), body, poses=16) for row in rows]
-    budgets = (max(len(cast.loose.triangles[0]) for cast in casts), *LOOSE)
+    casts = [
+        cast_of(row["id"], centred(load_clone(results / row["id"] / CLONE_FILE)), body, poses=16, budgets=held.budgets)
+        for row in rows
+    ]
+    budgets = (max(len(cast.loose.triangles[0]) for cast in casts), *held.budgets)
     first = 0
     for k, (row, cast) in enumerate(zip(rows, casts, strict=True)):
         own = stock.numbers_of(cast, budgets)

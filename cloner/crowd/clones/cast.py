@@ -108,10 +108,12 @@ def cast_of(
     carved: Callable[[Clone], Clone] | None = None,
     flow: Flow | None = None,
     faces: bool = False,
+    budgets: Sequence[int] = LOOSE,
 ) -> Cast:
     """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
 
-    With ``flow`` its shell of cloth moves as it was simulated, with ``faces`` its face can.
+    Its loose shells have at most ``budgets`` triangles. With ``flow`` its shell of cloth moves as it was simulated,
+    with ``faces`` its face can.
 
     Raises
     ------
@@ -139,7 +141,7 @@ def cast_of(
         clone.stature_m,
         vertices_m[body.vertex],
         normals / np.linalg.norm(normals, axis=1, keepdims=True),
-        _loose(shells, len(body.triangles), clips[0]),
+        _loose(shells, len(body.triangles), clips[0], budgets),
         clips,
         atlas,
         codes,
@@ -189,7 +191,7 @@ def _width_to_depth(vertices_m: Array, body: BodyLevels, walk: Clip, stature_m: 
     return float(np.median(ratios))
 
 
-def _loose(shells: Sequence[Shell], levels: int, walk: Clip) -> Loose:
+def _loose(shells: Sequence[Shell], levels: int, walk: Clip, budgets: Sequence[int]) -> Loose:
     """Return all shells as one mesh: who has hair and a skirt has triangles where they show most."""
     if not shells:
         none = np.zeros((0, 3))
@@ -208,7 +210,7 @@ def _loose(shells: Sequence[Shell], levels: int, walk: Clip) -> Loose:
     places = np.concatenate([shell.vertices_m for shell in shells])
     joints = np.concatenate([shell.skin_joints for shell in shells]).astype(np.int64)
     strides = walk.frames[:: max(len(walk.frames) // STRIDES, 1)][:STRIDES]
-    fewer = shell_levels(places, whole, moved_m=[posed(places, joints, weights, frame) for frame in strides])
+    fewer = shell_levels(places, whole, budgets, [posed(places, joints, weights, frame) for frame in strides])
     return Loose(
         places,
         np.column_stack([uv[:, 0] * 0.5 + np.where(cloth, 0.5, 0.0), uv[:, 1]]),
@@ -216,7 +218,7 @@ def _loose(shells: Sequence[Shell], levels: int, walk: Clip) -> Loose:
         weights,
         np.concatenate([welded_normals(shell.vertices_m, shell.triangles) for shell in shells]),
         cloth,
-        (whole,) * (levels - len(LOOSE)) + fewer,
+        (whole,) * (levels - len(budgets)) + fewer,
     )
 
 

@@ -48,7 +48,7 @@ class Tiles:
     sets : first tile of each clip, and which views follow
     views : int, around the person
     colours : (H, W, 4) uint8, RGB and coverage
-    shapes : (H/2, W/2, 4) uint8: normal x and y in eye axes, depth, code of garment and zone (``bake.frag``)
+    shapes : (H, W, 4) or (H/2, W/2, 4) uint8: normal x, y in eye axes, depth, code of garment and zone (``bake.frag``)
     """
 
     rows: NDArray[np.float32]
@@ -70,12 +70,15 @@ class Bake:
         nobody's is looked at.
     elevations : radians of the rings
     texels_per_m : float
+    fine : bool
+        Shapes are as large as colours, for folds of cloth; else half as large.
     """
 
     views: int = 22
     mirrored: int = 0
     elevations: tuple[float, ...] = (np.radians(5.0),)
     texels_per_m: float = TEXELS_PER_M
+    fine: bool = False
 
     @property
     def page_wide(self) -> int:
@@ -127,7 +130,7 @@ def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
         seen = [seen[names.index(clip.far or clip.name)] for clip in cast.clips]
         tiles, starts = _plan(cast, body, replace(wanted, views=views), seen)
         places, tall = _placed(tiles, wanted.page_wide)
-        colour, shape = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))
+        colour, shape = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall), fine=wanted.fine)
     finally:
         theatre.close()
     lines = np.zeros((2 * len(tiles), 4), np.float32)
@@ -235,7 +238,8 @@ def with_tiles(held: Stock, tiles: Sequence[Tiles], wanted: Bake) -> Stock:
     count = max(len(one.rows) for one in tiles)
     rows = np.zeros((len(tiles), count, 4), np.float32)
     colours = np.zeros((len(tiles), tall, wide, 4), np.uint8)
-    shapes = np.zeros((len(tiles), tall // 2, wide // 2, 4), np.uint8)
+    every = tiles[0].colours.shape[1] // tiles[0].shapes.shape[1]
+    shapes = np.zeros((len(tiles), tall // every, wide // every, 4), np.uint8)
     for k, one in enumerate(tiles):
         rows[k, : len(one.rows)] = one.rows
         colours[k, : len(one.colours)] = one.colours

@@ -15,14 +15,18 @@ _GROWN: Final = 3  # texels that colours go on beyond the outline
 _UNCOVERED: Final = 255  # no code is as large
 
 
-def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
-    """Return the page's texels from its samples; colours and shapes go on a little beyond the outline."""
+def reduced(colour: Pixels, shape: Pixels, every: int = 2) -> tuple[Pixels, Pixels]:
+    """Return the page's texels from its samples; colours and shapes go on a little beyond the outline.
+
+    A texel of shapes is as large as ``every`` ones of colours; codes are as every second one.
+    """
     cover = colour[..., 3:].astype(np.float32) / 255.0
     rgba = _blocks(np.dstack([colour[..., :3] * cover, cover]), SAMPLES)
     solid = _grown(rgba)
     colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
-    form = _blocks(np.dstack([shape[..., :3] * cover, cover]), 2 * SAMPLES)
-    shapes = np.dstack([_grown(form), _commonest(shape[..., 3], cover[..., 0] > 0.5)])
+    form = _blocks(np.dstack([shape[..., :3] * cover, cover]), every * SAMPLES)
+    codes = _commonest(shape[..., 3], cover[..., 0] > 0.5).repeat(2 // every, axis=0).repeat(2 // every, axis=1)
+    shapes = np.dstack([_grown(form), codes])
     return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
 
 

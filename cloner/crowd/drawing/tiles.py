@@ -46,11 +46,18 @@ def _people(cast: Cast, tiles: Sequence[Tile]) -> tuple[list[int], NDArray[np.fl
 
 
 def drawn(
-    theatre: Theatre, cast: Cast, tiles: Sequence[Tile], places: Sequence[tuple[int, int]], page: tuple[int, int]
+    theatre: Theatre,
+    cast: Cast,
+    tiles: Sequence[Tile],
+    places: Sequence[tuple[int, int]],
+    page: tuple[int, int],
+    *,
+    fine: bool = False,
 ) -> tuple[Pixels, Pixels]:
-    """Return the page's colours (H, W, 4) and shapes (H/2, W/2, 4)."""
+    """Return the page's colours (H, W, 4) and shapes, as large where they are ``fine``, else half as large."""
+    every = 1 if fine else 2
     colours = np.zeros((page[1], page[0], 4), np.uint8)
-    shapes = np.zeros((page[1] // 2, page[0] // 2, 4), np.uint8)
+    shapes = np.zeros((page[1] // every, page[0] // every, 4), np.uint8)
     size = (page[0] * SAMPLES, BAND * SAMPLES)
     target = theatre.target(size, 2)
     centre = np.array([0.0, middle_m(cast), 0.0])
@@ -70,8 +77,8 @@ def drawn(
             }  # fmt: skip
             theatre.draw_people(BAKED_LEVEL, np.array([[row, 1.0]], np.float32), values, "bake")
         used = (last - first) * SAMPLES
-        found = reduced(theatre.read(target)[:used], theatre.read(target, 1)[:used])
-        colours[first:last], shapes[first // 2 : last // 2] = found
+        found = reduced(theatre.read(target)[:used], theatre.read(target, 1)[:used], every)
+        colours[first:last], shapes[first // every : last // every] = found
     return colours, shapes
 
 

@@ -30,6 +30,7 @@ FORMAT: Final = "cloner-crowd"
 VERSION: Final = 6
 COLOUR_QUALITY: Final = 90  # SSIM at the switch .001 below all values; 80 is .003 below
 SHAPE_QUALITY: Final = 60  # .001 below; 88 had the same
+FINE_QUALITY: Final = 75  # of folds of cloth: 60 is .001 below, 85 .0006 above for a quarter more bytes
 SHELL_QUALITY: Final = 88
 #: A clone's numbers have 3 MB, its largest page 4096 x 4096 texels and the normals' planes below one another.
 LARGEST_NUMBERS_BYTES: Final = 200_000_000
@@ -101,16 +102,18 @@ def tile_files(tiles: Tiles) -> dict[str, bytes]:
     """Return a clone's impostors as three pictures.
 
     ``colours`` luma and two differences of colour under one another, grey: WebP halves the size of colours, which took
-    .016 of SSIM from a person in blue jeans; ``shapes`` normal x, normal y and depth likewise, half size; ``covers``
-    coverage, and below it at half size the codes, without loss.
+    .016 of SSIM from a person in blue jeans; ``shapes`` normal x, normal y and depth likewise, half or whole size;
+    ``covers`` coverage, and below it at half size the codes, without loss.
     """
     height, width = tiles.colours.shape[:2]
     covers = np.zeros((height + height // 2, width), np.uint8)
     covers[:height] = tiles.colours[..., 3]
-    covers[height:, : width // 2] = tiles.shapes[..., 3]
+    fine = tiles.shapes.shape[1] == width
+    covers[height:, : width // 2] = tiles.shapes[:: 1 + fine, :: 1 + fine, 3]
+    quality = FINE_QUALITY if fine else SHAPE_QUALITY
     return {
         "colours.webp": webp(np.concatenate(_differences(tiles.colours)), COLOUR_QUALITY),
-        "shapes.webp": webp(np.concatenate([tiles.shapes[..., k] for k in range(3)]), SHAPE_QUALITY),
+        "shapes.webp": webp(np.concatenate([tiles.shapes[..., k] for k in range(3)]), quality),
         "covers.webp": webp(covers, None),
     }
 
@@ -135,11 +138,12 @@ def tiles_from(files: Mapping[str, bytes], rows: NDArray[np.float32]) -> Tiles:
     parts, covers = picture(files["colours.webp"])[..., 0], picture(files["covers.webp"])[..., 0]
     shapes = picture(files["shapes.webp"])[..., 0]
     height, width = len(parts) // 3, parts.shape[1]
-    half = height // 2
+    fine = shapes.shape[1] == width
+    tall = height if fine else height // 2
     colours = _colours(*(parts[k * height : (k + 1) * height] for k in range(3)))
-    planes = [shapes[k * half : (k + 1) * half] for k in range(3)]
-    covered = covers[:height], covers[height:, : width // 2]
-    return Tiles(rows, (), 0, np.dstack([colours, covered[0]]), np.dstack([*planes, covered[1]]))
+    planes = [shapes[k * tall : (k + 1) * tall] for k in range(3)]
+    codes = covers[height:, : width // 2].repeat(1 + fine, axis=0).repeat(1 + fine, axis=1)
+    return Tiles(rows, (), 0, np.dstack([colours, covers[:height]]), np.dstack([*planes, codes]))
 
 
 def shell_bytes(shell: Pixels) -> bytes:

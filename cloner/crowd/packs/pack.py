@@ -17,7 +17,7 @@ from cloner.crowd.clones.cast import Cast, cast_of
 from cloner.crowd.clones.faces import FEELINGS, STEP_M, TARGETS, face_rows
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
-from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
+from cloner.crowd.clones.levels import FLOWING, LOOSE, BodyLevels, body_levels
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.crowd.clones.vat import vat_files
 from cloner.crowd.drawing.impostors import Bake, bake
@@ -39,7 +39,7 @@ from cloner.crowd.packs.files import (
 from cloner.crowd.packs.wanted import Wanted, check_wanted
 from cloner.crowd.staged import scene
 from cloner.crowd.staged.looks import casting_of, lendable, read_looks
-from cloner.project.flow_file import load_flow
+from cloner.project.flow_file import FLOW_FILE, load_flow
 from cloner.records.clones import Clone
 
 #: Width of the walking chest with arms against its depth from which arms and coats need 40 views. The source gives no
@@ -79,6 +79,7 @@ def make_pack(
     found, body, generic, first_bone = find_people(results), body_levels(mouth=wanted.faces), "", 0
     for one in found:
         _, generic = load_person(one, generic)
+    budgets = FLOWING if any((one.folder / FLOW_FILE).is_file() for one in found) else LOOSE
     files: dict[str, str] = {}
     rows, masks, tones = [], [], []
     with pack_folder(out) as folder:
@@ -88,8 +89,9 @@ def make_pack(
             cast = cast_of(
                 one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,
                 carved=wanted.carved, flow=load_flow(one.folder, clone), faces=wanted.faces,
+                budgets=budgets,
             )  # fmt: skip
-            row, first_bone = _person(folder, cast, clone, body, wanted, first_bone, files)
+            row, first_bone = _person(folder, cast, clone, body, wanted, budgets, first_bone, files)
             rows.append(row)
             if cast.stone is not None:
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
@@ -98,7 +100,7 @@ def make_pack(
         arrays = body_arrays(body) | ({"face": face_rows(body)} if wanted.faces else {})
         data, body_told = packed(arrays)
         _write(folder, BODY_FILE, data, files)
-        facts = _facts(wanted, rows, body, casting, body_told, files)
+        facts = _facts(wanted, rows, body, budgets, casting, body_told, files)
         if wanted.compressed:
             facts["compressed"] = True
         if wanted.faces:
@@ -113,12 +115,19 @@ def make_pack(
 
 
 def _person(
-    folder: Path, cast: Cast, clone: Clone, body: BodyLevels, wanted: Wanted, first_bone: int, files: dict[str, str]
+    folder: Path,
+    cast: Cast,
+    clone: Clone,
+    body: BodyLevels,
+    wanted: Wanted,
+    budgets: tuple[int, ...],
+    first_bone: int,
+    files: dict[str, str],
 ) -> tuple[dict[str, Any], int]:
     """Write one clone's files and return its row of ``crowd.json`` and the next clone's first bone."""
-    plan = bake_of(wanted, cast)
-    own = stock.numbers_of(cast)
-    tiles = bake(cast, body, stock_of(body, [cast], [own], [stock.no_sets(cast)], plan), plan)
+    plan = replace(bake_of(wanted, cast), fine=budgets == FLOWING)
+    own = stock.numbers_of(cast, budgets)
+    tiles = bake(cast, body, stock_of(body, [cast], [own], [stock.no_sets(cast)], plan, budgets), plan)
     table = stock.table_row(cast, tiles.sets, plan.texels_per_m, tiles.views, first_bone)
     arrays: dict[str, NDArray[Any]] = {
         "vertices": own.vertices, "loose": own.loose, "corners": own.corners, "bones": own.bones, "table": table,
@@ -207,6 +216,7 @@ def _facts(
     wanted: Wanted,
     rows: list[dict[str, Any]],
     body: BodyLevels,
+    budgets: tuple[int, ...],
     casting: scene.Casting,
     body_told: dict[str, Any],
     files: dict[str, str],
@@ -214,7 +224,7 @@ def _facts(
     per_px = 1.0 if wanted.classic else stock.TEXELS_PER_PX
     texels = stock.TEXELS_PER_M * per_px / stock.TEXELS_PER_PX
     tiers = [
-        {"level": k, "body_triangles": len(triangles), "loose_triangles": LOOSE[k], "vertices": body.counts[k],
+        {"level": k, "body_triangles": len(triangles), "loose_triangles": budgets[k], "vertices": body.counts[k],
          "largest_px": LARGEST_PX[k]}
         for k, triangles in enumerate(body.triangles)
     ]  # fmt: skip
@@ -228,7 +238,7 @@ def _facts(
         "regions": {"names": list(GROUPS), "codes": {name: STEP * (k + 1) for k, name in enumerate(GROUPS)}},
         "looks": scene.facts(casting), "body_arrays": body_told, "files": files,
         "numbers": {"box_min_m": list(stock.BOX_MIN_M), "box_step_m": stock.BOX_STEP_M,
-                    "bone_reach_m": stock.BONE_REACH_M, "loose": list(LOOSE), "code_step": STEP, "sun": list(SUN)},
+                    "bone_reach_m": stock.BONE_REACH_M, "loose": list(budgets), "code_step": STEP, "sun": list(SUN)},
     }  # fmt: skip
 
 

@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.crowd.clones.faces import face_wedges
-from cloner.crowd.clones.levels import LOOSE, body_levels
+from cloner.crowd.clones.levels import body_levels, budgets_in
 from cloner.crowd.clones.stock import Numbers, Stock
 from cloner.crowd.drawing.impostors import Bake, with_tiles
 from cloner.crowd.drawing.player import ACTED_FILE, FACE_FILE, SPOKEN_FILE, STONES
@@ -86,7 +86,8 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
                 if faces[-1].shape[1] != len(face_wedges(body)):
                     raise ValueError("another body's face")
         elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
-        held = Stock(body, LOOSE, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
+        budgets = budgets_in(facts["numbers"]["loose"])
+        held = Stock(body, budgets, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
         if stones:
             held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
         if faces:

@@ -37,19 +37,22 @@ mat3 turned(vec2 off) {
               -s * cb, sb * ce - cb * c * se, sb * se + cb * c * ce);
 }
 
-// The baked point that is seen at `plane` when the eye stands off the baked view: depth moves it, found by repeating.
+// The baked point that is seen at `plane` when the eye stands off the baked view: depth moves it, found by repeating. At
+// edges of depth that swings to and fro: the middle of the last two (.978 instead of .973 for skirts 10 degrees off).
 vec2 seenAt(vec4 tile, vec2 middle, vec2 off, float side, vec2 size) {
-  vec2 own = vec2(side * plane.x, plane.y), p = own;
+  vec2 own = vec2(side * plane.x, plane.y), p = own, last = own;
   if (classic == 0) {
     mat3 rows = turned(vec2(side * off.x, off.y));
-    for (int k = 0; k <= marks.z; k++) {  // measured: once far away, twice near, more times gain nothing
+    for (int k = 0; k <= 2 * marks.z; k++) {  // measured: once far away, three times near, more gain nothing
       vec2 uv = inPage(p, tile, middle, size);
       float z = uv.x < 0.0 ? 0.0 : (textureLod(shapes, vec3(uv, float(marks.y)), 0.0).b - 0.5) * depthRange;
+      last = p;
       float back = (z - dot(rows[2].xy, own)) / rows[2].z;
       vec3 seen = vec3(own * (1.0 - back / sizes.y), back);
       p = vec2(dot(rows[0], seen), dot(rows[1], seen)) * (1.0 + dot(rows[2], seen) / bakedFrom);
     }
   }
+  if (classic == 0 && marks.z > 0) p = 0.5 * (p + last);
   return inPage(p, tile, middle, size);
 }
 

@@ -178,12 +178,12 @@ function farOf(colours, shapes, covers) {
     seen[p + 3] = covers.data[p];
   }
   const { width } = shapes, rows = shapes.height / 3, plane = width * rows * 4, wide = covers.width * 4;
-  const shaped = new Uint8Array(plane);
+  const shaped = new Uint8Array(plane), fine = width === colours.width ? 1 : 0;  // codes are half as large
   for (let y = 0; y < rows; y++)
     for (let x = 0; x < width; x++) {
       const p = (y * width + x) * 4;
       for (let part = 0; part < 3; part++) shaped[p + part] = shapes.data[part * plane + p];
-      shaped[p + 3] = covers.data[below + y * wide + x * 4];
+      shaped[p + 3] = covers.data[below + (y >> fine) * wide + (x >> fine) * 4];
     }
   return {
     colours: { data: seen, width: colours.width, height: colours.height / 3 }, shapes: { data: shaped, width, height: rows },

@@ -14,7 +14,7 @@ from PIL import Image
 
 from cloner.crowd.clones.cast import ATLAS_PX, SHELL_PX
 from cloner.crowd.clones.faces import face_wedges
-from cloner.crowd.clones.levels import LOOSE, BodyLevels
+from cloner.crowd.clones.levels import BodyLevels, budgets_in
 from cloner.crowd.packs.files import unpacked
 from cloner.crowd.packs.told import why_unfit_newcomer
 from cloner.crowd.staged.footing import CLIP_STEP
@@ -39,6 +39,7 @@ def wanted_of(facts: Mapping[str, Any]) -> dict[str, Any]:
         "people": [{"clips": clips, "stamp": own["stamp"], "views": own["views"]}],
         "impostors": {"poses": facts["impostors"]["poses"]},
         "switch": {"texels_per_m": facts["switch"]["texels_per_m"]},
+        "numbers": {"loose": facts["numbers"]["loose"]},
         **({"faces": {}} if "faces" in facts else {}),
     }  # fmt: skip
 
@@ -78,7 +79,7 @@ def lent_of(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body
     fits = (
         loose >= 0
         and len(arrays["loose"]) == 2 * loose
-        and len(arrays["corners"]) == 3 * sum(LOOSE)
+        and len(arrays["corners"]) == 3 * sum(budgets_in(facts["numbers"]["loose"]))
         and (not loose or arrays["corners"].max() < loose)
         and all(np.isfinite(arrays[name]).all() for name in ("table", "touches", "clips"))
         and len(frames) == len(arrays["touches"]) == len(facts["people"][0]["clips"])

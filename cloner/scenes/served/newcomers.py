@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import cast_of
-from cloner.crowd.clones.levels import BodyLevels
+from cloner.crowd.clones.levels import BodyLevels, budgets_in
 from cloner.crowd.clones.people import Found, load_person
 from cloner.crowd.packs.files import packed, shell_bytes, webp
 from cloner.crowd.packs.pack import ATLAS_QUALITY
@@ -56,15 +56,16 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
     own = facts["people"][0]
     match = _GENERIC.search(str(own["stamp"]))
     clone, _ = load_person(found, match.group(1) if match else "")
+    budgets = budgets_in(facts["numbers"]["loose"])
     names = tuple(str(one["name"]) for one in own["clips"])
     cast = cast_of(
         "newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2,
-        flow=load_flow(found.folder, clone), faces="faces" in facts,
+        flow=load_flow(found.folder, clone), faces="faces" in facts, budgets=budgets,
     )  # fmt: skip
     if tuple(one.name for one in cast.clips) != names:
         hint = "Make the pack again with cloner crowd --feelings, without --walk, and the scene of it"
         raise ClonerError("the scene's clones walk as newcomers cannot", hint, found.identifier)
-    numbers = stock.numbers_of(cast)
+    numbers = stock.numbers_of(cast, budgets)
     texels = float(facts["switch"]["texels_per_m"])
     clips = [{"frames": len(one.frames), "speed_m_s": one.speed_m_s} for one in cast.clips]
     touches = touches_of(numbers, body, clips)
