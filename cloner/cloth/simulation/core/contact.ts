@@ -5,7 +5,7 @@
 // so what starts free stays free. What is pressed closer is guarded (`guards.ts`).
 
 import { Cells } from "./cells";
-import { clearGuards, guard } from "./guards";
+import { areClose, clearGuards, guard } from "./guards";
 import { extend, f, free, i, next, nextFirst, place, radius, setI, take, velocity, vertices } from "./memory";
 import { apart2, away, move } from "./vectors";
 
@@ -18,7 +18,8 @@ const SURE_M: f64 = 0.004;
 const AT_ONCE: f64 = 0.1;
 
 let cells: Cells = changetype<Cells>(0);
-let pairs: usize = 0; // i32, two a pair, the first ~ where they are only guarded; taken last, so that it can grow
+let pairs: usize = 0; // i32, two a pair, the first ~ where they are only guarded, the second ~ where they are close;
+                      // taken last, so that it can grow
 let room: i32 = 0;
 let found: i32 = 0;
 
@@ -70,22 +71,23 @@ function add(one: i32, other: i32): void {
     extend(pairs + (<usize>room << 3));
   }
   setI(pairs, 2 * found, near ? ~one : one);
-  setI(pairs, 2 * found++ + 1, other);
+  setI(pairs, 2 * found++ + 1, areClose(one, other) ? ~other : other);
 }
 
 /** Move vertices that are too near apart. */
 export function keepApart(): void {
   for (let k = 0; k < found; k++) {
-    const one = i(pairs, 2 * k), other = i(pairs, 2 * k + 1);
+    const one = i(pairs, 2 * k);
     if (one < 0) continue;
+    const second = i(pairs, 2 * k + 1), other = second < 0 ? ~second : second;
     const apart = f(radius, one) + f(radius, other);
     const x = away(place, one, other, 0), y = away(place, one, other, 1), z = away(place, one, other, 2);
     const square = x * x + y * y + z * z;
     if (square >= apart * apart) continue;
-    const length = max(sqrt(square), 1e-9), first = f(free, one), second = f(free, other);
-    const share = min(apart - length, AT_ONCE * apart) / length / max(first + second, 1e-12);
-    move(one, -share * first, x, y, z);
-    move(other, share * second, x, y, z);
+    const length = max(sqrt(square), 1e-9), light = f(free, one), otherLight = f(free, other);
+    const share = min(apart - length, AT_ONCE * apart) / length / max(light + otherLight, 1e-12);
+    move(one, -share * light, x, y, z);
+    move(other, share * otherLight, x, y, z);
   }
 }
 
@@ -93,7 +95,7 @@ export function keepApart(): void {
 export function findGuards(seconds: f64): void {
   clearGuards();
   for (let k = 0; k < found; k++) {
-    const one = i(pairs, 2 * k);
-    guard(one < 0 ? ~one : one, i(pairs, 2 * k + 1), seconds);
+    const one = i(pairs, 2 * k), other = i(pairs, 2 * k + 1);
+    guard(one < 0 ? ~one : one, other < 0 ? ~other : other, other < 0, seconds);
   }
 }

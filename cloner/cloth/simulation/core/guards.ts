@@ -69,22 +69,32 @@ export function clearGuards(): void {
   }
 }
 
-/** Guard what lies round two vertices that are near each other, if it may meet within so many seconds. */
-export function guard(one: i32, other: i32, seconds: f64): void {
+/** Guard what lies round two vertices that are near each other, if it may meet within so many seconds.
+ *
+ *  Edges that meet have ends half of their squares apart, or, where those are joined and no pair, others all of them. That
+ *  can be where both vertices have a neighbour in common: they are `close`. */
+export function guard(one: i32, other: i32, close: bool, seconds: f64): void {
   const square = apart2(place, one, other);
   const reach = GAP * (f(radius, one) + f(radius, other)) + seconds * sqrt(apart2(velocity, one, other));
-  if (square > reach * reach + (f(longest, one) + f(longest, other)) / 4.0) return;
+  const meet = (f(longest, one) + f(longest, other)) / 4.0, wide = square > reach * reach + meet;
+  if (wide && (!close || square > reach * reach + 2.0 * meet)) return;
+  const begin = i(edgeFirst, other);
+  let beside: i32 = 0; // which of the other's edges end at a neighbour of the first
+  for (let l = begin; wide && l < i(edgeFirst, other + 1); l++) if (joined(one, i(edgeOther, l))) beside |= 1 << (l - begin);
   for (let k = i(edgeFirst, one); k < i(edgeFirst, one + 1); k++) {
     const two = i(edgeOther, k);
     if (two == other) continue;
-    for (let l = i(edgeFirst, other); l < i(edgeFirst, other + 1); l++) {
+    const near = wide && joined(two, other);
+    for (let l = begin; l < i(edgeFirst, other + 1); l++) {
       const three = i(edgeOther, l);
       if (three == one || three == two) continue;
+      if (wide && !near && !((beside >> (l - begin)) & 1)) continue;
       // each pair of edges once: where its nearest ends are found
       if (nearest(square, one, other, one, three) && nearest(square, one, other, two, other)
         && nearest(square, one, other, two, three)) add(EDGES, one, two, other, three);
     }
   }
+  if (wide) return;
   corner(one, other, square);
   corner(other, one, square);
 }
@@ -98,6 +108,12 @@ export function guard(one: i32, other: i32, seconds: f64): void {
 
 function joined(one: i32, other: i32): bool {
   for (let k = i(edgeFirst, one); k < i(edgeFirst, one + 1); k++) if (i(edgeOther, k) == other) return true;
+  return false;
+}
+
+/** Whether two vertices have a neighbour in common. */
+export function areClose(one: i32, other: i32): bool {
+  for (let k = i(edgeFirst, one); k < i(edgeFirst, one + 1); k++) if (joined(i(edgeOther, k), other)) return true;
   return false;
 }
 
