@@ -25,7 +25,7 @@ DROP_M, OVER_M = 0.025, 0.012
 #: of front and back reaches between the legs, shares of the hips' girth. With 8, 14, 18 and 24 % at the seat threads
 #: are 7.2, 6.1, 5.9 and 5.4 % too long in the walk (triangles of 2 cm); below 18 % trousers cross themselves in all
 #: frames of a loop, and with 24 % they stand off at the hips like a balloon.
-SEAT_M, SEAT_EASE, WAIST_EASE = 0.05, 1.18, 1.08
+SEAT_M, SEAT_EASE, WAIST_EASE = 0.05, 1.18, 1.10
 RISES: Final = (0.0675, 0.16)
 #: Trousers end so high over the floor, a share of the stature: lower, a foot that swings pulls their hem apart.
 ANKLE: Final = 0.08

@@ -146,7 +146,7 @@ def _edges(cloth: Cloth) -> tuple[Ints, Array, Array]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lead:
-    """Where cloth is led.
+    """Where cloth is led, in place and speed.
 
     Attributes
     ----------
@@ -154,14 +154,11 @@ class Lead:
         Places at a frame's beginning and end.
     share : float
         Of the way there that is gone.
-    firm : float
-        From 0, place and speed become those of where it is led, to 1, it is pushed there.
     """
 
     early_m: Array
     late_m: Array
     share: float
-    firm: float
 
 
 def core_of(sheet: Sheet, skin_points: int) -> Core:
@@ -222,14 +219,13 @@ def step(
     core.meet(skin_now)
     now["place"][:], now["velocity"][:] = state.places_m, state.speeds_m_s
     now["held_early"][:], now["held_late"][:] = held_m
-    led = firm = 0.0
+    led = 0.0
     if lead is not None:
         now["lead_early"][:], now["lead_late"][:] = lead.early_m, lead.late_m
         led = 1.0 - (1.0 - lead.share) ** (1.0 / substeps)
-        firm = lead.firm
     core.call(
         "frame", seconds, substeps, THICK_M, REACH_M, fastest_m_s, LONGEST, fabric.friction,
-        KEPT ** (seconds / substeps), *(float(speed) for speed in wind_m_s), fabric.air, led, firm,
+        KEPT ** (seconds / substeps), *(float(speed) for speed in wind_m_s), fabric.air, led,
     )  # fmt: skip
     return State(np.array(now["place"]), np.array(now["velocity"]))
 

@@ -42,11 +42,10 @@ export function ready(): void { sortGuards(); }
  *
  *  Cloth rests `thick` metres from the skin, and no skin farther than `reach` is met between two searches; no vertex moves
  *  `fastest` m/s, and no thread stays `longest` times as long as it is. `kept` is the share of its speed that cloth keeps
- *  a small step, `caught` that of the wind that it catches, `led` that of the way to where it is led, `firm` how much of
- *  that is a push. */
+ *  a small step, `caught` that of the wind that it catches, `led` that of the way to where it is led. */
 export function frame(
   seconds: f64, steps: i32, thick: f64, reach: f64, fastest: f64, longest: f64, friction: f64, kept: f64,
-  windX: f64, windY: f64, windZ: f64, caught: f64, led: f64, firm: f64,
+  windX: f64, windY: f64, windZ: f64, caught: f64, led: f64,
 ): void {
   const h = seconds / <f64>steps, searched = max(1, steps / SEARCHES), softer = 1.0 / (h * h), share = 1.0 / <f64>steps;
   for (let number = 0; number < steps; number++) {
@@ -59,7 +58,7 @@ export function frame(
     const gone = <f64>(number + 1) * share;
     fly(h);
     carry(gone);
-    if (led > 0.0) lead(led, firm, gone, share);
+    if (led > 0.0) lead(led, gone, share);
     if (number % SELDOM == 0) bend(softer);
     hang();
     draw(softer);
@@ -96,11 +95,11 @@ function carry(gone: f64): void {
   }
 }
 
-/** Go a share of the way to where cloth is led, in place and speed; of the leading itself speed comes by `firm`. */
-function lead(led: f64, firm: f64, gone: f64, share: f64): void {
+/** Go a share of the way to where cloth is led, in place and speed. */
+function lead(led: f64, gone: f64, share: f64): void {
   for (let k = 0; k < 3 * vertices; k++) {
     const way = f(leadLate, k) - f(leadEarly, k), to = f(leadEarly, k) + gone * way;
     setF(place, k, f(place, k) + led * (to - f(place, k)));
-    setF(before, k, f(before, k) + (1.0 - firm) * led * (to - share * way - f(before, k)));
+    setF(before, k, f(before, k) + led * (to - share * way - f(before, k)));
   }
 }
