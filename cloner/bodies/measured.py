@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -15,6 +16,7 @@ from cloner.bodies.ruler import read
 from cloner.bodies.telling import GIRTHS, LENGTHS, Told, refused, untold_mm
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import TapeRules
+from cloner.geometry.outlines.settling import unfolded
 from cloner.records.bodies import BodyMesh
 
 #: What is given to nobody: farther than this from what was told, mm.
@@ -48,7 +50,8 @@ def measured_body(told: Told) -> BodyMesh:
     base = usual_body(told.sex, told.stature_m, told.age_years)
     family = round_body(base, told.stature_m)
     rules = load_tape_rules()
-    return _likely(_close(fitted(family, rules, told.mm, untold, seat=told.seat), told, rules), told, usual, rules)
+    first = fitted(family, rules, told.mm, untold, seat=told.seat)
+    return _smooth(first, _likely(_close(first, told, rules), told, usual, rules), rules)
 
 
 def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
@@ -60,7 +63,13 @@ def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
         If a measure cannot be met.
     """
     rules = load_tape_rules()
-    return _close(fitted(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat), told, rules)
+    first = fitted(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat)
+    return _smooth(first, _close(first, told, rules), rules)
+
+
+def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
+    """Return the body without folds that regions made where they meet: two triangles at the crotch of a man of +3."""
+    return replace(body, vertices_m=unfolded(first.vertices_m, body.vertices_m, rules.skin))
 
 
 def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]], rules: TapeRules) -> BodyMesh:
