@@ -22,7 +22,7 @@ from cloner.records.bodies import BodyMesh
 #: What is given to nobody: farther than this from what was told, mm.
 FAR_MM: Final = 5.0
 ROUNDS: Final = 2
-#: Untold girths lie within so many spreads of what is likeliest beside the told ones (2 are wanted), if told measures
+#: Untold measures lie within so many spreads of what is likeliest beside the told ones (2 are wanted), if told measures
 #: stay this near: ankles of men lay up to 4 spreads off, since the family's men have thin ones. Limbs alone where the
 #: trunk's would contradict what was told.
 WITHIN: Final = 1.9
@@ -73,20 +73,19 @@ def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
 
 
 def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]], rules: TapeRules) -> BodyMesh:
-    """Return the body with unlikely untold girths brought near the likeliest, as far as those told stay met."""
-    usual = {key: pair for key, pair in untold.items() if key in GIRTHS}
+    """Return the body with unlikely untold measures brought near the likeliest, as far as those told stay met."""
+    usual = {key: pair for key, pair in untold.items() if key in (*GIRTHS, *LENGTHS)}
     shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=told.seat).mm
-    girths = {key: value for key, value in told.mm.items() if key in GIRTHS}
     far = {
         key: mean + float(np.copysign(WITHIN, shown[key] - mean)) * spread
         for key, (mean, spread) in usual.items()
         if abs(shown[key] - mean) > WITHIN * spread
     }
-    for keys in (GIRTHS, LIMBS):
+    for keys in ((*GIRTHS, *LENGTHS), GIRTHS, LIMBS):
         asked = {key: value for key, value in far.items() if key in keys}
         if not asked:
             continue
-        found = met(body, rules, girths | asked, told.sex, seat=told.seat)
+        found = _brought(body, {**told.mm, **asked}, told, rules)
         now = read(found.vertices_m, found.joints_m, rules, tuple(told.mm), seat=told.seat).mm
         if all(abs(now[key] - value) < KEPT_MM * (1 if key in GIRTHS else 2) for key, value in told.mm.items()):
             return found
@@ -94,13 +93,19 @@ def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]
 
 
 def _close(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:
-    """Return the body with the told lengths and girths met; each round undoes what the other moved."""
-    lengths = {key: value for key, value in told.mm.items() if key in LENGTHS}
-    girths = {key: value for key, value in told.mm.items() if key in GIRTHS}
-    for _ in range(ROUNDS if lengths else 1):
-        body = met(stretched(body, rules, lengths), rules, girths, told.sex, seat=told.seat)
+    """Return the body with the told measures met, or refuse the worst of them."""
+    body = _brought(body, told.mm, told, rules)
     shown = read(body.vertices_m, body.joints_m, rules, tuple(told.mm), seat=told.seat).mm
     worst = max(told.mm, key=lambda key: abs(shown[key] - told.mm[key]), default="")
     if worst and abs(shown[worst] - told.mm[worst]) > FAR_MM:
         raise refused(worst, shown[worst] - told.mm[worst], told.mm[worst])
+    return body
+
+
+def _brought(body: BodyMesh, mm: Mapping[str, float], told: Told, rules: TapeRules) -> BodyMesh:
+    """Return the body brought to lengths and girths; each round undoes what the other moved."""
+    lengths = {key: value for key, value in mm.items() if key in LENGTHS}
+    girths = {key: value for key, value in mm.items() if key in GIRTHS}
+    for _ in range(ROUNDS if lengths else 1):
+        body = met(stretched(body, rules, lengths), rules, girths, told.sex, seat=told.seat)
     return body
