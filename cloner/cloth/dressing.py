@@ -188,8 +188,7 @@ class Dressing:
             progress("cloth", WALKED * max(number, 0) / total)
         places = np.array(self._frames)
         loop = best_loop(self.worn, places[put:], lambda gone: progress("loop", WALKED + (1.0 - WALKED) * gone))
-        first = places[: put + count]
-        return Dressed(self._clone, self._motion, self.worn, loop, self._fabric, first, self._under)
+        return Dressed(self._clone, self._motion, self.worn, loop, self._fabric, places[: put + count], self._under)
 
     def with_below(self, places_m: Array, frame: int) -> Array:
         """Return the points of what is worn below in a frame from the beginning on, and this garment's after them."""

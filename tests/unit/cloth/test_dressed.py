@@ -63,9 +63,10 @@ def test_the_loop_is_closed_and_clear_of_the_skin(walking: Dressed) -> None:
         _, near = cKDTree(corner.mean(axis=1)).query(frames[number])
         deep = np.einsum("ij,ij->i", frames[number] - corner.mean(axis=1)[near], normal[near])
         assert (deep < -0.003).mean() < 0.01
-    steps = np.linalg.norm(np.diff(np.concatenate([frames, frames[:1]]), axis=0), axis=2).max(axis=1)
-    assert steps[-1] < 2.5 * np.median(steps)  # the seam is no jump
-    assert walking.loop.gap_mm <= walking.loop.median_mm
+    frames = np.roll(frames, -walking.loop.seam, axis=0)
+    jolts = np.linalg.norm(np.diff(np.concatenate([frames, frames[:2]]), 2, axis=0), axis=2).max(axis=1)
+    assert jolts[-2:].max() < 1.25 * np.median(jolts)  # the seam is felt no more than other frames
+    assert walking.loop.gap_mm < 0.25 * walking.loop.median_mm, "it nears a cycle of its own"
     longer = [np.quantile(strains(worn.sheet, frame), 0.99) for frame in frames]
     assert max(longer) < 0.25  # spread over folds without being drawn together again, threads were half too long
 

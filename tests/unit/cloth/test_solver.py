@@ -187,6 +187,26 @@ def test_edges_that_are_pressed_keep_their_gap_and_their_side() -> None:
     assert gap > 0.001, "back on the side on which it was"
 
 
+def test_edges_that_begin_at_neighbours_are_guarded() -> None:
+    """Three edges of 2 cm in a row, folded: the first and last meet near their joined ends, the others are far off."""
+    sheet = sheet_of(strip(0.02, 0.02, 0.02), FABRICS["cotton"], np.zeros(0, np.int64))
+    edges, rest, none = np.array([[0, 1], [1, 2], [2, 3]]), np.full(3, 0.02), np.zeros((0, 2), np.int64)
+    row = replace(
+        sheet, faces=np.zeros((0, 3), np.int64), mass_kg=np.full(4, 1e-4), edges=edges, rest_m=rest,
+        stretch=in_groups(edges, rest, np.ones(3), 4), bend=in_groups(none, np.zeros(0), np.zeros(0), 4),
+        anchor=np.zeros(4, np.int64), leash_m=np.full(4, np.inf), spacing=spacing_of(edges, rest, none, np.zeros(0), 4),
+    )  # fmt: skip
+    core = core_of(row, 0)
+    core.arrays["place"][:] = [[-0.016, 0.0, 0.0], [0.004, 0.0, 0.0], [0.0, -0.004, 0.001], [0.0, 0.016, 0.001]]
+    core.call("findPairs", 0.0)
+    core.call("findGuards", 0.0)
+    core.arrays["place"][2:, 2] -= 0.0015  # through
+    for _ in range(20):
+        core.call("keepGap")
+    z = core.arrays["place"][:, 2]
+    assert 0.8 * (z[2] - z[0]) + 0.2 * (z[3] - z[1]) > 0.001, "back on the side on which it was"
+
+
 def test_points_between_two_skins_have_the_nearer_one_s_plane() -> None:
     """Two walls 1 cm apart that face each other: a mean of both would face anywhere."""
     x, y = (one.ravel() for one in np.meshgrid(np.linspace(-0.1, 0.1, 21), np.linspace(-0.1, 0.1, 21)))

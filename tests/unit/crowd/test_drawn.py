@@ -9,9 +9,11 @@ import pytest
 from PIL import Image
 from skimage.metrics import structural_similarity
 
+from cloner.crowd.drawing.impostors import Tiles
 from cloner.crowd.drawing.player import player_page
 from cloner.crowd.drawing.texels import SAMPLES, reduced
 from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.packs.files import tile_files, tiles_from
 from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
 from cloner.crowd.packs.still import Painter, draw_pack
 from cloner.crowd.staged.eye import Eye
@@ -168,3 +170,20 @@ def test_a_texel_at_the_rim_has_its_persons_code() -> None:
     _, shapes = reduced(colour, shape)
     assert shapes.shape == (1, 1, 4)
     assert shapes[0, 0, 3] == 3
+    _, fine = reduced(colour, shape, 1)
+    assert fine.shape == (2, 2, 4)
+    assert (fine[..., 3] == 3).all()
+
+
+@pytest.mark.parametrize("every", [1, 2])
+def test_pictures_of_shape_keep_their_size_and_their_codes(every: int) -> None:
+    rng = np.random.default_rng(3)
+    wide, tall = 64, 48
+    smooth = np.linspace(60.0, 190.0, wide // every)[None, :, None] * np.ones((tall // every, 1, 3))
+    codes = rng.integers(0, 9, (tall // 2, wide // 2)).astype(np.uint8).repeat(2 // every, axis=0)
+    shapes = np.dstack([smooth.astype(np.uint8), codes.repeat(2 // every, axis=1)])
+    rows = np.zeros((2, 4), np.float32)
+    tiles = Tiles(rows, (), 0, np.full((tall, wide, 4), 128, np.uint8), shapes)
+    again = tiles_from(tile_files(tiles), rows)
+    assert np.array_equal(again.shapes[..., 3], shapes[..., 3])
+    assert np.abs(again.shapes[..., :3].astype(int) - shapes[..., :3]).mean() < 3.0
