@@ -154,7 +154,7 @@ def _closed(worn: Worn, places_m: Array, usual_m: float) -> Loop:
     """Return the last two cycles faded into a loop; ``usual_m`` is the median cut.
 
     It begins in the later one and ends in the earlier one, so that the end leads to the beginning. A mean of two cycles
-    that are a few millimetres apart is cloth; led back within one, trousers' threads were drawn out by 16 % instead of 7.
+    that are a few millimetres apart is cloth; led back within one, trousers' threads were drawn out by 16 %, not by 7.
     It begins where cloth moves calmly: what is uneven shows least there.
     """
     period = len(worn.rotations)
