@@ -81,10 +81,12 @@ def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]
         for key, (mean, spread) in usual.items()
         if abs(shown[key] - mean) > WITHIN * spread
     }
+    tried: dict[str, float] = {}
     for keys in ((*GIRTHS, *LENGTHS), GIRTHS, LIMBS):
         asked = {key: value for key, value in far.items() if key in keys}
-        if not asked:
+        if not asked or asked == tried:
             continue
+        tried = asked
         found = _brought(body, {**told.mm, **asked}, told, rules)
         now = read(found.vertices_m, found.joints_m, rules, tuple(told.mm), seat=told.seat).mm
         if all(abs(now[key] - value) < KEPT_MM * (1 if key in GIRTHS else 2) for key, value in told.mm.items()):

@@ -92,6 +92,7 @@ def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = l
     period = len(worn.rotations)
     first = SETTLING * period
     cuts = [_gaps_m(places_m[first - 1 :], apart) for apart in range(period, len(places_m) - first, period)]
+    usual_m = float(np.median(np.concatenate(cuts)))
     finalists: list[int] = []
     for start in first + np.argsort(cuts[0], kind="stable"):
         if all(abs(int(start) - other) > 2 for other in finalists):
@@ -100,7 +101,7 @@ def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = l
             break
     tried: list[tuple[int, int, Loop]] = []
     for start in sorted(finalists, key=lambda start: _edge_px(worn, places_m[start], places_m[start + period])):
-        loop = _closed(worn, _repeated(worn, places_m, start, progress), float(np.median(np.concatenate(cuts))))
+        loop = _closed(worn, _repeated(worn, places_m, start, progress), usual_m)
         crossings = sum(len(self_crossings(frame, worn.cloth.faces).pairs) for frame in loop.frames_m)
         tried.append((crossings, len(tried), loop))
         if not crossings:
