@@ -3,8 +3,8 @@
 Random people of known shape (``generic_models/build/painted_people.py``) are photographed, cloned by the product's
 own stages and scored after every step with the rulers of docs/method. Every finished person is one JSON and one picture
 in the folder, so a kill loses nothing; ``--page`` turns what is there into ``docs/body_benchmark.md``.
-``--ablate 8`` repeats the first people with parts of the method left out; ``--foreign FOLDER`` scores a body from
-outside the family (shared/foreign/stein_woman; not ours to ship).
+``--foreign FOLDER`` scores a body from outside the family (shared/foreign/stein_woman; not ours to ship). What each
+step is worth: ``benchmarks/ablation.py``.
 """
 
 from __future__ import annotations
@@ -20,7 +20,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from body_ablation import VARIANTS, ablate
 from body_foreign import score_foreign
 from body_page import write_page
 from body_people import Case, cases, painted_case, write_json
@@ -43,11 +42,6 @@ def one_person(case: Case, folder: Path) -> dict[str, Any]:
     return guarded(partial(painted_case, case, folder), folder / f"{case.name}.json")
 
 
-def one_ablation(case: Case, folder: Path) -> dict[str, Any]:
-    """Score one random person with parts of the method left out."""
-    return guarded(partial(ablate, case, folder), folder / f"ablation_{case.name}.json")
-
-
 def run_all(work: Callable[[Case, Path], dict[str, Any]], todo: Iterable[Case], folder: Path, jobs: int) -> None:
     """Run the people left to do, some at a time, telling each on one line."""
     with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
@@ -61,8 +55,6 @@ def told(row: dict[str, Any]) -> str:
     """Return one line about a finished person."""
     if "error" in row:
         return str(row["error"]).strip().splitlines()[-1]
-    if "steps" not in row:
-        return f"{len(row.get('variants', {}))} variants"
     last = row["steps"]["finished"]
     overlaps = " ".join(f"{value:.3f}" for value in last["silhouette_iou"].values())
     return (
@@ -74,7 +66,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--people", type=int, default=0, help="random people to have in the folder at the end")
     parser.add_argument("--first", type=int, default=1000, metavar="SEED")
-    parser.add_argument("--ablate", type=int, default=0, metavar="PEOPLE", help=f"variants: {', '.join(VARIANTS)}")
     parser.add_argument("--foreign", type=Path, default=None, metavar="FOLDER")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--resume", type=Path, default=DEFAULT_FOLDER, metavar="FOLDER", help="where the results lie")
@@ -83,8 +74,6 @@ def main() -> None:
     folder: Path = chosen.resume
     todo = [case for case in cases(chosen.people, chosen.first) if not (folder / f"{case.name}.json").exists()]
     run_all(one_person, todo, folder, chosen.jobs)
-    todo = [c for c in cases(chosen.ablate, chosen.first) if not (folder / f"ablation_{c.name}.json").exists()]
-    run_all(one_ablation, todo, folder, chosen.jobs)
     if chosen.foreign is not None:
         for name in ("input", "input_clutter"):
             row = score_foreign(chosen.foreign, name)

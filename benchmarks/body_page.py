@@ -1,4 +1,4 @@
-"""Write docs/body_benchmark.md from the benchmark's JSON files: bars, distributions, worst cases, ablation."""
+"""Write docs/body_benchmark.md from the benchmark's JSON files: bars, distributions, worst cases."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy as np
 from body_explained import explain
 from body_tables import (
     Row,
-    ablation,
     commits,
     foreign_table,
     girths,
@@ -39,13 +38,10 @@ def write_page(rows: Sequence[Row], folder: Path) -> Path:
     people = [row for row in rows if "steps" in row and not row.get("foreign")]
     failed = [row for row in rows if "error" in row]
     foreign = [row for row in rows if row.get("foreign") and "steps" in row]
-    ablated = [row for row in rows if "variants" in row]
     sections = [_INTRODUCTION.format(people=len(people), commits=commits(people))]
     if people:
         sections += [bars(people, foreign), steps(people), groups(people), parts(people), outlines(people)]
         sections += [girths(people), points(people), seconds(people), worst(people, folder)]
-    if ablated:
-        sections.append(ablation(ablated))
     if foreign:
         sections.append(foreign_table(foreign))
     if failed:

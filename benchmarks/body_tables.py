@@ -219,27 +219,6 @@ def seconds(people: Sequence[Row]) -> str:
     )
 
 
-def ablation(rows: Sequence[Row]) -> str:
-    """Return what the fine body loses without parts of the method."""
-
-    def read(key: str) -> Read:
-        return lambda found: float(found[key])
-
-    columns = (
-        Column("surface mean mm", read("surface_mean_mm"), 2),
-        Column("surface p95 mm", read("surface_p95_mm"), 1),
-        Column("IoU below the head, input views", read("below_head_iou"), 4, high=True),
-        Column("below the head, held-out", read("held_out_iou"), 4, high=True),
-    )
-    split = {name: [row["variants"][name] for row in rows if name in row["variants"]] for name in rows[0]["variants"]}
-    return (
-        f"## Ablation\n\nCommit {commits(rows)}."
-        f" Fine body of {len(rows)} people; median / 90th percentile / worst. *edges only*: the mask is"
-        " rounded by about 40 mm and only says where to look; *wrong points*: proposed points moved by 6 to 12 % of the"
-        " photo's height.\n\n" + table_of(columns, split)
-    )
-
-
 def foreign_table(rows: Sequence[Row]) -> str:
     """Return the steps on bodies from outside the family."""
     lines = [

@@ -24,6 +24,7 @@ from scipy.interpolate import BSpline
 
 from cloner.body.clothes import clothed_body
 from cloner.body.outlined import GRID_SEGMENTS, Outlined, outlined_photos, see
+from cloner.body.seen_joints import seen_joints
 from cloner.frames import m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
@@ -153,7 +154,9 @@ def fine_body(values: Values, *, slices: bool, rounds_mm: tuple[float, ...]) -> 
     """Return the body straight from the phenotype: limbs turned, with or without slices, then so many settlings."""
     phenotype = values["phenotype"]
     photos = outlined_photos(phenotype, values["silhouettes"], values["proposals"])
-    mesh, photos = extremities(BodyMesh(*clothed_body(phenotype)), photos, phenotype.sole_m)
+    mesh, photos = extremities(
+        BodyMesh(*clothed_body(phenotype)), photos, phenotype.sole_m, seen_joints(phenotype, values["proposals"])
+    )
     if slices:
         mesh = shaped_by_slices(mesh, tuple(photos.values()))
     for reach_mm in rounds_mm:

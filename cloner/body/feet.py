@@ -112,6 +112,19 @@ def _tip(mesh: BodyMesh, side: str) -> ShoeTip:
     return ShoeTip(middle, np.ptp(points, axis=0) / 2.0, ConvexHull(points).equations)
 
 
+@functools.cache
+def toes_share() -> Array:
+    """Return (V,) how far each vertex belongs to the toes, 0 from the instep backwards."""
+    generic = load_generic()
+    mesh = BodyMesh(generic.vertices_m.astype(np.float64), generic.joints_m.astype(np.float64))
+    share = np.zeros(len(mesh.vertices_m))
+    for side in ("l", "r"):
+        front, before = _front(mesh, side)
+        share[front] = np.clip(before / TOES_FROM, 0.0, 1.0)
+    share.flags.writeable = False
+    return share
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Toes:
     """The left toes and how they lie in a shoe.

@@ -2,7 +2,7 @@
 
 The stature ends at the skull, a photo's outline at the hair. What lies between is read from how far the outline's top
 is above the eyes, in lengths from the eyes to the chin: high hair, or a high cap, stands far above a face. Faces
-differ, so the belief is a regression's: nearer to what is usual than the photo alone says.
+differ, so the belief is a regression's: nearer to what is usual than the photo alone says. Who is bald has none.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
+from cloner.labels.states import State, read_states
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
@@ -24,6 +25,7 @@ USUAL_MM: Final = _CALIBRATED.number("usual_mm", "mm")
 FACE_MM: Final = _CALIBRATED.number("face_mm", "mm")
 BARE_MM: Final = _CALIBRATED.number("bare_mm", "mm")
 SPREAD_MM: Final = _CALIBRATED.number("spread_mm", "mm")
+BALD_SPREAD_MM: Final = _CALIBRATED.number("bald_spread_mm", "mm")
 #: Google's face mesh: outer corners of the eyes, chin.
 EYES: Final = (33, 263)
 CHIN: Final = 152
@@ -48,5 +50,17 @@ def hair_height_mm(proposals: Proposals, silhouettes: SilhouetteSet) -> tuple[fl
     proposal, outline = proposals.views.get(ViewId.BODY_FRONT), silhouettes.views.get(ViewId.BODY_FRONT)
     if proposal is None or outline is None or proposal.face_presence == 0.0:
         return USUAL_MM, SPREAD_MM
+    if _is_bald(proposals):
+        return 0.0, BALD_SPREAD_MM
     share = above_the_eyes(proposal.face_px, outline.top_px)
     return max(FACE_MM * share - BARE_MM, 0.0), SPREAD_MM
+
+
+def _is_bald(proposals: Proposals) -> bool:
+    """Return whether the face's front photo shows a bare scalp."""
+    face = proposals.views.get(ViewId.FACE_FRONT)
+    return (
+        face is not None
+        and face.face_presence > 0.0
+        and State.BALD in read_states({face.view: face.labels}, face.face_px)
+    )

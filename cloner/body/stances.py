@@ -1,7 +1,8 @@
-"""Limbs, hands and feet turned and sized to every photo's outline, with the person's own body.
+"""Limbs, hands and feet turned and sized to every photo's outline and joints, with the person's own body.
 
 The phenotype's poses were found with nobody's body. Once slices made it the
-person's, limbs turn a little until the body lies on each photo's outline, and hands
+person's, limbs turn a little until the body lies on each photo's outline, while joints stay where
+the photo shows them under the clothes (by outlines alone wide trousers and shoes drag ankles along). Hands
 and feet, which no slice may push, get one size for all photos and a direction for
 each (method §7, issue 4 "hands and feet oriented and sized from the photos"). Fingers
 curl, all knuckles of a hand alike: those of people who hang their arms are never
@@ -12,7 +13,7 @@ found here.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -20,15 +21,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import Outlined, see
+from cloner.body.seen_joints import OUTLIER, SeenJoints
 from cloner.calibration.loader import calibrated
 from cloner.fit.evidence import Rows, points
 from cloner.fit.problem import Block, Problem, Values
-from cloner.frames import ViewId, m_from_mm
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.fingers import FINGERS, knuckles
-from cloner.geometry.articulation.skinning import joint_transforms, turning_axes
-from cloner.geometry.articulation.turning import carried_share, turned_motion, turned_rotation
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, turning_axes
+from cloner.geometry.articulation.turning import below, carried_share, turned_motion, turned_rotation
 from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
@@ -110,6 +112,34 @@ def usual_angles(params: Params) -> tuple[Array, Array]:
     return usual, spread
 
 
+def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Rows:
+    """Return the rows of the joints seen in one photo by its angles and camera (A), which ``values`` hold."""
+    parents, camera = load_generic().joint_parents, photo.posed.camera
+    transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
+    places = posed_joints(transforms, mesh.joints_m)
+    blocks, start = [], 0
+    for joint, axes, _, _ in _turns():
+        carried = below(parents, joint)[told.joints].astype(np.float64)
+        frame = _turned_frame(transforms, joint, axes, values[start : start + len(axes)])
+        blocks.append(turned_motion(places[told.joints], places[joint], frame, carried))
+        start += len(axes)
+    blocks.append(np.zeros((len(told.joints), 3, len(_curls()))))
+    pixels, by_points, by_step = projection_derivatives(camera, places[told.joints])
+    slopes = np.concatenate(
+        [by_points @ np.concatenate(blocks, axis=2), by_step @ motion_twists(values[-6:], pivot)], axis=2
+    )
+    sigma_px = told.spread_mm / mm_from_m(camera.metres_per_pixel(places[told.joints].mean(axis=0)))
+    return points((photo.view,), pixels - told.places_px, slopes, sigma_px, outlier=OUTLIER)
+
+
+def _turned_frame(transforms: Array, joint: int, axes: tuple[int, ...], angles: Array) -> Array:
+    """Return the axes (A, 3) in the posed frame about which a joint turns on, turned by ``angles`` (A,) already."""
+    turn = np.zeros(3)
+    turn[list(axes)] = angles
+    frame = transforms[load_generic().joint_parents[joint], :3, :3] @ turning_axes(turn)
+    return np.asarray(frame.T[list(axes)])
+
+
 def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array) -> Array:
     """Return (N, 3, A) motion of posed vertices per radian of every joint's angle, turned by ``angles`` already."""
     generic = load_generic()
@@ -117,10 +147,8 @@ def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[
     blocks, start = [], 0
     for joint, axes, share, _ in _turns():
         pivot = transforms[joint, :3, :3] @ mesh.joints_m[joint] + transforms[joint, :3, 3]
-        turn = np.zeros(3)
-        turn[list(axes)] = angles[start : start + len(axes)]
-        frame = transforms[generic.joint_parents[joint], :3, :3] @ turning_axes(turn)
-        blocks.append(turned_motion(places_m[vertices], pivot, frame.T[list(axes)], share[vertices]))
+        frame = _turned_frame(transforms, joint, axes, angles[start : start + len(axes)])
+        blocks.append(turned_motion(places_m[vertices], pivot, frame, share[vertices]))
         start += len(axes)
     for hand in _curls():
         moved = np.zeros((len(vertices), 3, 1))
@@ -164,6 +192,7 @@ def fit_stances(
     sizer: Sizer,
     size: tuple[Array, Array],
     photos: dict[ViewId, Outlined],
+    joints: Mapping[ViewId, SeenJoints],
     params: Params,
 ) -> tuple[BodyMesh, dict[ViewId, Outlined]]:
     """Return the body with hands and feet sized, and the photos with limbs turned to them.
@@ -174,6 +203,7 @@ def fit_stances(
         Gives the body for a vector of sizes.
     size : (S,) usual sizes and (S,) their spread
     photos : the body photos
+    joints : those that they show under the clothes, where somebody looked for them
     """
     mean, spread = size
     usual, differs = usual_angles(params)
@@ -188,10 +218,12 @@ def fit_stances(
 
     def look(values: Values, turn: int) -> list[Rows]:
         mesh, grown = _grown(sizer, values["sizes"])
-        return [
-            _rows(mesh, grown, photo, values[view], pivots[view], params.reach_mm[turn], params)
-            for view, photo in stood(values).items()
-        ]
+        rows = []
+        for view, photo in stood(values).items():
+            rows.append(_rows(mesh, grown, photo, values[view], pivots[view], params.reach_mm[turn], params))
+            if view in joints:
+                rows.append(_joint_rows(mesh, photo, joints[view], values[view], pivots[view]))
+        return rows
 
     found = Problem(blocks).solve(look, turns=len(params.reach_mm)).values
     return sizer(found["sizes"]), stood(found)

@@ -174,7 +174,7 @@ def subject_scores(
             overlap = likeness.seen_as_photo(subject, clone, generic, view, truth.views[view].mask)
             yield Score("silhouette_iou", view.value, "", overlap)
             if subject is clone:
-                yield Score("joints_mean_mm", view.value, "mm", _joint_error_mm(clone, generic, kit, view))
+                yield Score("joints_mean_mm", view.value, "mm", joint_error_mm(clone, generic, kit, view))
     held_out = {name: truth.views[name] for name in hidden if name in truth.views}
     yield from held_out_scores(
         subject, generic, held_out, rotations, lambda name, picture: pictures.setdefault(name, []).append(picture)
@@ -187,7 +187,7 @@ def subject_scores(
     yield from girth_scores(subject, run.measures if subject is clone else None, truth)
 
 
-def _joint_error_mm(clone: Clone, generic: GenericHuman, kit: KitTruth, view: ViewId) -> float:
+def joint_error_mm(clone: Clone, generic: GenericHuman, kit: KitTruth, view: ViewId) -> float:
     """Return how far the joints of the fitted pose lie from the true ones in a photo, mean, mm at the joints' depth."""
     seen, truth = clone.views[view], kit.truth.views[view.value]
     found = joints_by_truth_name(pose_clone(clone, generic, seen.rotations), generic)

@@ -21,6 +21,7 @@ GLASSES_SHARE: Final = _CALIBRATED.number("glasses_share", "share")
 HEADWEAR_SHARE: Final = _CALIBRATED.number("headwear_share", "share")
 FRINGE_SHARE: Final = _CALIBRATED.number("fringe_share", "share")
 BALD_SHARE: Final = _CALIBRATED.number("bald_share", "share")
+SCALP_SHARE: Final = _CALIBRATED.number("scalp_share", "share")
 BARE_FOOT: Final = _CALIBRATED.number("bare_foot", "share")
 #: Points of the 468-point face mesh: outer eye corners, and the brows' highest.
 _EYES: Final = (33, 263)
@@ -45,7 +46,7 @@ def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.
     labels : mapping
         Label pictures (H, W) of the photos.
     face_px : (468, 2) float64 or None
-        Face mesh in the face's front photo; without it glasses are not looked for.
+        Face mesh in the face's front photo; without it nothing but a beard is looked for.
     """
     found = set()
     near = [labels[view] for view in (ViewId.FACE_FRONT, ViewId.FACE_SIDE) if view in labels]
@@ -59,12 +60,13 @@ def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.
     if front is not None and face_px is not None:
         if min(_glasses_shares(front, face_px)) > GLASSES_SHARE:
             found.add(State.GLASSES)
-        if _headwear_share(front, face_px) > HEADWEAR_SHARE:
+        above = _above_the_brows(front, face_px)
+        if above[Label.ACCESSORY] > HEADWEAR_SHARE:
             found.add(State.HEADWEAR)
+        elif count[Label.HAIR] < BALD_SHARE * face and above[Label.FACE_SKIN] > SCALP_SHARE:  # no hood either
+            found.add(State.BALD)
         if max(_fringe_shares(front, face_px)) > FRINGE_SHARE:
             found.add(State.FRINGE)
-    if count[Label.HAIR] < BALD_SHARE * face and State.HEADWEAR not in found:
-        found.add(State.BALD)
     return frozenset(found)
 
 
@@ -95,13 +97,13 @@ def _fringe_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> t
     return first, second
 
 
-def _headwear_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:
-    """Return how much of what is above the brows is something worn."""
+def _above_the_brows(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the share of every label in what is above the brows; none where there is nothing."""
     (x, _), apart = eyes_span(face_px)
     brows = float(face_px[list(_BROWS), 1].min()) - 0.2 * apart
     box = _box(labels, np.array([x - 1.2 * apart, 0.0]), np.array([x + 1.2 * apart, brows]))
-    person = box[box > Label.BACKGROUND]
-    return float((person == Label.ACCESSORY).mean()) if person.size else 0.0
+    person = np.bincount(box[box > Label.BACKGROUND], minlength=len(Label))
+    return np.asarray(person / max(int(person.sum()), 1))
 
 
 def _box(labels: NDArray[np.uint8], low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.uint8]:

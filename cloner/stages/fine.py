@@ -3,12 +3,12 @@
 Slices of the grid segments are moved by T_i,m so that they reproduce the
 silhouette's pixels; head, hands and feet are never pushed by slices. Afterwards
 ("beyond") a smooth displacement along the normals takes up what slices cannot
-reach: shoulders, crotch, shoes.
+reach: shoulders, crotch, a shoe's collar and heel.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.feet import Params as FeetParams
-from cloner.body.feet import shaped_feet, sized_feet
+from cloner.body.feet import shaped_feet, sized_feet, toes_share
 from cloner.body.hands import SPREAD, USUAL, sized_hands
 from cloner.body.outlined import Outlined, coverage, gaps_mm, outlined_photos, see, views_of
+from cloner.body.seen_joints import SeenJoints, seen_joints
 from cloner.body.stances import Params as StanceParams
 from cloner.body.stances import fit_stances
 from cloner.body.tape_fit import taped_body
@@ -39,6 +40,8 @@ from cloner.stages.rough import shape_slices
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.fine")
+
+FOOT_TRUST: Final = _CALIBRATED.number("foot_trust", "share")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,12 +69,16 @@ class Params:
 
 
 def rim_trust() -> Array:
-    """Return (V,) how far the outline moves each vertex when the skin settles: not the head, little the fingers."""
+    """Return (V,) how far the outline moves each vertex when the skin settles.
+
+    Not head, toes and soles, little the fingers.
+    """
     generic = load_generic()
     trust = np.where(generic.skin, 1.0, 0.0)
     for side in ("left", "right"):
         trust[generic.segment(f"{side}_hand")] = 0.05
-        trust[generic.segment(f"{side}_foot")] = 0.0
+        trust[generic.segment(f"{side}_foot") & generic.skin] = FOOT_TRUST
+    trust *= np.where(generic.region("sole"), 0.0, 1.0 - toes_share())
     if len(generic.head_blend):
         trust *= 1.0 - np.clip(generic.head_blend.astype(np.float64) * 2.0, 0.0, 1.0)
     else:
@@ -149,7 +156,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
 
 
 def extremities(
-    mesh: BodyMesh, photos: dict[ViewId, Outlined], sole_m: float
+    mesh: BodyMesh, photos: dict[ViewId, Outlined], sole_m: float, joints: Mapping[ViewId, SeenJoints]
 ) -> tuple[BodyMesh, dict[ViewId, Outlined]]:
     """Return the body with hands and feet of the photos' size, and the photos with limbs turned to it."""
     start, usual, spread = shaped_feet(mesh, sole_m, FeetParams())
@@ -159,7 +166,7 @@ def extremities(
         return sized_hands(BodyMesh(sized_feet(start, size[:feet], sole_m), start.joints_m), size[feet:])
 
     size = (np.concatenate([usual, USUAL]), np.concatenate([spread, SPREAD]))
-    return fit_stances(sizer, size, photos, StanceParams())
+    return fit_stances(sizer, size, photos, joints, StanceParams())
 
 
 def residuals_of(mesh: BodyMesh, photos: dict[ViewId, Outlined]) -> tuple[Residual, ...]:
@@ -195,7 +202,7 @@ def run(
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
-    consensus, photos = extremities(consensus, photos, phenotype.sole_m)
+    consensus, photos = extremities(consensus, photos, phenotype.sole_m, seen_joints(phenotype, proposals))
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))

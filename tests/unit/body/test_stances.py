@@ -57,7 +57,7 @@ def test_turned_limbs_are_found_and_the_rest_stays(body):
         true[generic.joint(name), axis] += np.deg2rad(degrees)
     photos = photographed(body, true, believed)
     sizer, size = unsized(body)
-    _, found = stances.fit_stances(sizer, size, photos, stances.Params())
+    _, found = stances.fit_stances(sizer, size, photos, {}, stances.Params())
     for view in ("body_front", "body_back"):
         before, after = (away_px(body, p[view], true) for p in (photos, found))
         assert before > 3.0, "the turns are seen"
@@ -75,7 +75,7 @@ def test_a_body_that_is_right_stays(body):
     pose = people.known_pose(1, spread=0.0)
     photos = photographed(body, pose, pose)
     sizer, size = unsized(body)
-    mesh, found = stances.fit_stances(sizer, size, photos, stances.Params())
+    mesh, found = stances.fit_stances(sizer, size, photos, {}, stances.Params())
     # outlines are half a pixel large on every side
     assert np.abs(mesh.vertices_m - body.vertices_m).max() < 0.006
     for view, photo in found.items():
@@ -87,7 +87,7 @@ def test_a_longer_hand_is_found(body):
     true = sized_hands(body, np.array([1.1, 1.0]))
     photos = photographed(true, pose, pose)
     sizer, size = unsized(body)
-    mesh, _ = stances.fit_stances(sizer, size, photos, stances.Params())
+    mesh, _ = stances.fit_stances(sizer, size, photos, {}, stances.Params())
     generic = load_generic()
     tip, wrist = generic.feature("fingertip_left"), generic.joint("l_wrist")
 
@@ -141,7 +141,7 @@ def test_curled_fingers_are_found(body):
     true = stances.turned_pose(photos["body_front"].posed, curled, np.zeros(3)).rotations
     photos = photographed(body, true, believed)
     sizer, size = unsized(body)
-    _, found = stances.fit_stances(sizer, size, photos, stances.Params())
+    _, found = stances.fit_stances(sizer, size, photos, {}, stances.Params())
     bent = {
         side: np.rad2deg(np.linalg.norm(found["body_front"].posed.rotations[generic.joint(f"{side}_middle2")]))
         for side in "lr"

@@ -1,0 +1,64 @@
+"""Where each body photo shows the joints under the clothes, as evidence for poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.calibration.loader import calibrated
+from cloner.frames import ViewId, mm_from_m
+from cloner.generic.load import load_generic
+from cloner.generic.seen_points import NAMES, spread
+from cloner.records.arrays import Array
+from cloner.records.bodies import Phenotype, PosedView
+from cloner.records.points import Proposals
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.seen_joints")
+
+#: A joint seen so many spreads away has lost half of its weight.
+OUTLIER: Final = _CALIBRATED.number("outlier", "spreads")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SeenJoints:
+    """Joints of one photo.
+
+    Attributes
+    ----------
+    joints : (N,) int64
+        Rows of the skeleton.
+    places_px : (N, 2) float64
+    spread_mm : (N,) float64
+        Expected errors along one picture axis.
+    """
+
+    joints: NDArray[np.int64]
+    places_px: Array
+    spread_mm: Array
+
+
+def seen_joints(phenotype: Phenotype, proposals: Proposals) -> Mapping[ViewId, SeenJoints]:
+    """Return the joints that the label net saw in every photo it looked at."""
+    generic = load_generic()
+    rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names]
+    joints = np.array([generic.joint(NAMES[row]) for row in rows])
+    found = {}
+    for view, posed in phenotype.views.items():
+        places = proposals.views[view].seen_px
+        if len(places):
+            shown = _side_shown(posed)
+            shares = np.array([spread(NAMES[row], shown) for row in rows])
+            found[view] = SeenJoints(joints, places[rows], mm_from_m(phenotype.stature_m) * shares)
+    return found
+
+
+def _side_shown(posed: PosedView) -> str:
+    """Return the person's side that a body photo's camera sees."""
+    if posed.view is ViewId.BODY_SIDE:
+        return "left" if posed.camera.position_m[0] > 0.0 else "right"
+    return "front" if posed.view is ViewId.BODY_FRONT else "back"
