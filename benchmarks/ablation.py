@@ -36,7 +36,7 @@ from cloner.generic.load import load_generic
 from cloner.paint.lookups.sources import Source
 from cloner.pipeline import STAGES
 from cloner.records.points import Proposals
-from cloner.records.silhouettes import Silhouette, SilhouetteSet
+from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera, View, ViewSet
 from cloner.stages import fine, head, rough, skeleton, textures
 from cloner.testing import folder_values, run_stages, up_to
@@ -101,7 +101,7 @@ def orthographic(values: Values) -> Values:
 
 def mask_only(values: Values) -> Values:
     """Return the values with the contours of the net's mask instead of linked edges."""
-    views = {}
+    found, views = values["silhouettes"].views, {}
     for view, proposal in values["proposals"].views.items():
         padded = np.pad(proposal.mask.astype(np.float64), 1)
 
@@ -109,8 +109,9 @@ def mask_only(values: Values) -> Values:
             (line[:-1, ::-1] - 1.0 for line in measure.find_contours(padded, 127.5)), key=len, reverse=True
         )
         kept = tuple(line for line in contours if len(line) > 0.05 * len(contours[0]))
-        views[view] = Silhouette(view, kept, proposal.mask > 127, ())
-    return {**values, "silhouettes": SilhouetteSet(views)}
+        if view in found:
+            views[view] = replace(found[view], contours_px=kept, mask=proposal.mask > 127, sources=())
+    return {**values, "silhouettes": SilhouetteSet({**found, **views})}
 
 
 def unseen_joints(values: Values) -> Values:
