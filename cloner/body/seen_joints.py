@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.frames import ViewId, mm_from_m
+from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES, spread
 from cloner.records.arrays import Array
@@ -33,13 +33,13 @@ class SeenJoints:
     joints : (N,) int64
         Rows of the skeleton.
     places_px : (N, 2) float64
-    spread_mm : (N,) float64
+    spread_px : (N,) float64
         Expected errors along one picture axis.
     """
 
     joints: NDArray[np.int64]
     places_px: Array
-    spread_mm: Array
+    spread_px: Array
 
 
 def seen_joints(phenotype: Phenotype, proposals: Proposals) -> Mapping[ViewId, SeenJoints]:
@@ -52,8 +52,9 @@ def seen_joints(phenotype: Phenotype, proposals: Proposals) -> Mapping[ViewId, S
         places = proposals.views[view].seen_px
         if len(places):
             shown = _side_shown(posed)
-            shares = np.array([spread(NAMES[row], shown) for row in rows])
-            found[view] = SeenJoints(joints, places[rows], mm_from_m(phenotype.stature_m) * shares)
+            spread_m = phenotype.stature_m * np.array([spread(NAMES[row], shown) for row in rows])
+            middle = np.array([0.0, phenotype.stature_m / 2.0, 0.0])
+            found[view] = SeenJoints(joints, places[rows], spread_m / posed.camera.metres_per_pixel(middle))
     return found
 
 

@@ -25,7 +25,7 @@ from cloner.body.seen_joints import OUTLIER, SeenJoints
 from cloner.calibration.loader import calibrated
 from cloner.fit.evidence import Rows, points
 from cloner.fit.problem import Block, Problem, Values
-from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.fingers import FINGERS, knuckles
@@ -128,8 +128,7 @@ def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array
     slopes = np.concatenate(
         [by_points @ np.concatenate(blocks, axis=2), by_step @ motion_twists(values[-6:], pivot)], axis=2
     )
-    sigma_px = told.spread_mm / mm_from_m(camera.metres_per_pixel(places[told.joints].mean(axis=0)))
-    return points((photo.view,), pixels - told.places_px, slopes, sigma_px, outlier=OUTLIER)
+    return points((photo.view,), pixels - told.places_px, slopes, told.spread_px, outlier=OUTLIER)
 
 
 def _turned_frame(transforms: Array, joint: int, axes: tuple[int, ...], angles: Array) -> Array:

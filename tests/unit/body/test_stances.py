@@ -1,13 +1,17 @@
 """Limbs turned by known angles, and hands and feet of known size, are found again from outlines."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from cloner.body import stances
 from cloner.body.hands import sized_hands
 from cloner.body.outlined import outlined_photos, see
+from cloner.body.seen_joints import SeenJoints
 from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -148,3 +152,47 @@ def test_curled_fingers_are_found(body):
     }
     assert 14.0 < bent["l"] < 30.0, "expected are 8, shown 25"
     assert bent["r"] < 10.0
+
+
+def seen(body, pose, view, names, off_px=0.0, spread_px=5.0):
+    """Return joints of a body in a pose where a photo shows them, moved to the right by some pixels."""
+    generic = load_generic()
+    rows = np.array([generic.joint(name) for name in names])
+    transforms = joint_transforms(body.joints_m, generic.joint_parents, pose)
+    places = studio.camera(studio.AZIMUTH_DEG[view]).project(posed_joints(transforms, body.joints_m)[rows])
+    return SeenJoints(rows, places + [off_px, 0.0], np.full(len(rows), spread_px))
+
+
+def test_joints_tell_how_their_pixels_move_with_angles_and_camera(body):
+    pose = people.known_pose(2, spread=0.3)
+    photo = photographed(body, pose, pose)["body_front"]
+    told = seen(body, pose, "body_front", ("l_elbow", "r_knee", "l_ankle"))
+    usual, _ = stances.usual_angles(stances.Params())
+    at = np.random.default_rng(0).normal(scale=0.05, size=len(usual))
+    middle = body.joints_m[load_generic().joint("HumanoidRoot")]
+    pivot = photo.posed.camera.to_camera(middle[None])[0]
+
+    def rows(values):
+        moved = replace(photo, posed=stances.turned_pose(photo.posed, values, middle))
+        return stances._joint_rows(body, moved, told, values, pivot)
+
+    step = 1e-5
+    for column in np.flatnonzero(np.abs(rows(at).slopes).max(axis=0) > 0.0):
+        way = step * np.eye(len(at))[column]
+        difference = (rows(at + way).value - rows(at - way).value) / (2.0 * step)
+        # exact for angles; the camera's turn is linear about where it is
+        np.testing.assert_allclose(rows(at).slopes[:, column], difference, rtol=2e-3, atol=2e-2)
+
+
+def test_joints_that_are_seen_pull_limbs_that_outlines_leave(body):
+    pose = people.known_pose(1, spread=0.0)
+    photos = photographed(body, pose, pose)
+    sizer, size = unsized(body)
+    ankle = load_generic().joint("l_ankle")
+
+    def ankle_px(joints):
+        mesh, found = stances.fit_stances(sizer, size, photos, joints, stances.Params())
+        return float(see(mesh, found["body_front"]).body.joints_px[ankle, 0])
+
+    away = ankle_px({"body_front": seen(body, pose, "body_front", ("l_ankle",), 4.0, 1.0)})
+    assert ankle_px({}) + 0.5 < away < ankle_px({}) + 4.0

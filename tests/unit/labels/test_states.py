@@ -71,6 +71,12 @@ def test_no_hair_is_bald_but_not_under_a_hat() -> None:
     assert states(bald) == {State.HEADWEAR}
 
 
+def test_who_wears_a_hood_is_not_bald() -> None:
+    hooded = drawn()
+    hooded[hooded == Label.HAIR] = Label.UPPER_CLOTHES
+    assert states(hooded) == frozenset()
+
+
 def test_a_scarf_is_no_hat_and_no_glasses() -> None:
     assert states(drawn(scarf=(Label.ACCESSORY, 80, 370, 320, 430))) == frozenset()
 
