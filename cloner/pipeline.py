@@ -78,7 +78,13 @@ STAGES: tuple[Stage, ...] = (
     ),
     Stage("skeleton", 1, ("proposals", "silhouettes", "phenotype"), ("skeletons",), skeleton.run),
     Stage("rough", 1, ("proposals", "skeletons", "silhouettes", "phenotype"), ("rough_bodies",), rough.run),
-    Stage("fine", 2, ("proposals", "rough_bodies", "silhouettes", "phenotype", "person"), ("body",), fine.run),
+    Stage(
+        "fine",
+        2,
+        ("proposals", "body_points", "rough_bodies", "silhouettes", "phenotype", "person"),
+        ("body",),
+        fine.run,
+    ),
     Stage("head", 2, ("photos", "proposals", "face_points", "silhouettes", "phenotype"), ("head",), head.run),
     Stage(
         "join",

@@ -15,7 +15,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES, spread
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.points import PointSet, Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.seen_joints")
@@ -42,18 +42,19 @@ class SeenJoints:
     spread_px: Array
 
 
-def seen_joints(phenotype: Phenotype, proposals: Proposals) -> Mapping[ViewId, SeenJoints]:
-    """Return the joints that the label net saw in every photo it looked at."""
+def seen_joints(phenotype: Phenotype, proposals: Proposals, body_points: PointSet) -> Mapping[ViewId, SeenJoints]:
+    """Return the joints that the label net saw in every photo it looked at, but those that an operator placed."""
     generic = load_generic()
-    rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names]
-    joints = np.array([generic.joint(NAMES[row]) for row in rows])
     found = {}
     for view, posed in phenotype.views.items():
-        places = proposals.views[view].seen_px
-        if len(places):
+        places, points = proposals.views[view].seen_px, body_points.views[view]
+        placed = {name for name, fixed in zip(points.names, points.corrected, strict=True) if fixed}
+        rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names and name not in placed]
+        if len(places) and rows:
             shown = _side_shown(posed)
             spread_m = phenotype.stature_m * np.array([spread(NAMES[row], shown) for row in rows])
             middle = np.array([0.0, phenotype.stature_m / 2.0, 0.0])
+            joints = np.array([generic.joint(NAMES[row]) for row in rows])
             found[view] = SeenJoints(joints, places[rows], spread_m / posed.camera.metres_per_pixel(middle))
     return found
 

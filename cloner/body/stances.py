@@ -1,10 +1,10 @@
 """Limbs, hands and feet turned and sized to every photo's outline and joints, with the person's own body.
 
 The phenotype's poses were found with nobody's body. Once slices made it the
-person's, limbs turn a little until the body lies on each photo's outline, while joints stay where
-the photo shows them under the clothes (by outlines alone wide trousers and shoes drag ankles along). Hands
-and feet, which no slice may push, get one size for all photos and a direction for
-each (method §7, issue 4 "hands and feet oriented and sized from the photos"). Fingers
+person's, limbs turn a little until the body lies on each photo's outline, while joints
+stay where the photo shows them under the clothes: by outlines alone wide trousers and
+shoes drag ankles along. Hands and feet, which no slice may push, get one size for all
+photos and a direction for each (method §7, issue 4 "hands and feet oriented and sized from the photos"). Fingers
 curl, all knuckles of a hand alike: those of people who hang their arms are never
 straight. The cameras give a little too; the skin settles afterwards, on the cameras
 found here.
@@ -13,7 +13,7 @@ found here.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -112,43 +112,30 @@ def usual_angles(params: Params) -> tuple[Array, Array]:
     return usual, spread
 
 
-def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Rows:
-    """Return the rows of the joints seen in one photo by its angles and camera (A), which ``values`` hold."""
-    parents, camera = load_generic().joint_parents, photo.posed.camera
-    transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
-    places = posed_joints(transforms, mesh.joints_m)
+def _by_angles(mesh: BodyMesh, posed: PosedView, places_m: Array, shares: Iterable[Array], angles: Array) -> Array:
+    """Return (N, 3, A) motion of posed points per radian of every limb's angle, turned by ``angles`` already.
+
+    ``shares`` (N,) tell for every joint of `_turns` how far it carries each point.
+    """
+    parents = load_generic().joint_parents
+    transforms = joint_transforms(mesh.joints_m, parents, posed.rotations)
+    pivots = posed_joints(transforms, mesh.joints_m)
     blocks, start = [], 0
-    for joint, axes, _, _ in _turns():
-        carried = below(parents, joint)[told.joints].astype(np.float64)
-        frame = _turned_frame(transforms, joint, axes, values[start : start + len(axes)])
-        blocks.append(turned_motion(places[told.joints], places[joint], frame, carried))
+    for (joint, axes, _, _), share in zip(_turns(), shares, strict=True):
+        turn = np.zeros(3)
+        turn[list(axes)] = angles[start : start + len(axes)]
+        frame = transforms[parents[joint], :3, :3] @ turning_axes(turn)
+        blocks.append(turned_motion(places_m, pivots[joint], frame.T[list(axes)], share))
         start += len(axes)
-    blocks.append(np.zeros((len(told.joints), 3, len(_curls()))))
-    pixels, by_points, by_step = projection_derivatives(camera, places[told.joints])
-    slopes = np.concatenate(
-        [by_points @ np.concatenate(blocks, axis=2), by_step @ motion_twists(values[-6:], pivot)], axis=2
-    )
-    return points((photo.view,), pixels - told.places_px, slopes, told.spread_px, outlier=OUTLIER)
-
-
-def _turned_frame(transforms: Array, joint: int, axes: tuple[int, ...], angles: Array) -> Array:
-    """Return the axes (A, 3) in the posed frame about which a joint turns on, turned by ``angles`` (A,) already."""
-    turn = np.zeros(3)
-    turn[list(axes)] = angles
-    frame = transforms[load_generic().joint_parents[joint], :3, :3] @ turning_axes(turn)
-    return np.asarray(frame.T[list(axes)])
+    return np.concatenate(blocks, axis=2)
 
 
 def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array) -> Array:
     """Return (N, 3, A) motion of posed vertices per radian of every joint's angle, turned by ``angles`` already."""
     generic = load_generic()
+    shares = (share[vertices] for _, _, share, _ in _turns())
+    blocks = [_by_angles(mesh, posed, places_m[vertices], shares, angles)]
     transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
-    blocks, start = [], 0
-    for joint, axes, share, _ in _turns():
-        pivot = transforms[joint, :3, :3] @ mesh.joints_m[joint] + transforms[joint, :3, 3]
-        frame = _turned_frame(transforms, joint, axes, angles[start : start + len(axes)])
-        blocks.append(turned_motion(places_m[vertices], pivot, frame, share[vertices]))
-        start += len(axes)
     for hand in _curls():
         moved = np.zeros((len(vertices), 3, 1))
         for joint, axis, share in hand:
@@ -157,6 +144,18 @@ def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[
             moved += turned_motion(places_m[vertices], pivot, turned[None], share[vertices])
         blocks.append(moved)
     return np.concatenate(blocks, axis=2)
+
+
+def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Rows:
+    """Return the rows of the joints seen in one photo by its angles and camera (A), which ``values`` hold."""
+    parents, camera = load_generic().joint_parents, photo.posed.camera
+    places = posed_joints(joint_transforms(mesh.joints_m, parents, photo.posed.rotations), mesh.joints_m)[told.joints]
+    shares = (below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _turns())
+    by_limbs = _by_angles(mesh, photo.posed, places, shares, values)
+    by_curls = np.zeros((len(places), 2, len(_curls())))  # no finger is among them
+    pixels, by_points, by_step = projection_derivatives(camera, places)
+    slopes = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_twists(values[-6:], pivot)], axis=2)
+    return points((photo.view,), pixels - told.places_px, slopes, told.spread_px, outlier=OUTLIER)
 
 
 def _middle(mesh: BodyMesh) -> Array:

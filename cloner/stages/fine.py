@@ -33,7 +33,7 @@ from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_d
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
-from cloner.records.points import Proposals
+from cloner.records.points import PointSet, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.rough import shape_slices
@@ -184,6 +184,7 @@ def residuals_of(mesh: BodyMesh, photos: dict[ViewId, Outlined]) -> tuple[Residu
 def run(
     *,
     proposals: Proposals,
+    body_points: PointSet,
     rough_bodies: BodySet,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
@@ -202,7 +203,7 @@ def run(
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
-    consensus, photos = extremities(consensus, photos, phenotype.sole_m, seen_joints(phenotype, proposals))
+    consensus, photos = extremities(consensus, photos, phenotype.sole_m, seen_joints(phenotype, proposals, body_points))
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
