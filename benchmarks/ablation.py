@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from ablation_figures import Figures, apart_mm, body_figures, head_figures, outline_figures
+from ablation_figures import Figures, apart_mm, body_figures, curve_figures, head_figures, outline_figures
 from ablation_page import ALL, table, write_page
 from body_people import commit, write_json
 from numpy.typing import NDArray
@@ -173,7 +173,7 @@ OWN: Final = {
     "without skeleton and all slices": "input IoU",
     "without turning limbs, hands and feet": "input IoU",
     "without settling": "input IoU",
-    "without the snake": "landmarks mm",
+    "without the snake": "lids and lips %",
     "without DFFD of what is left over": "face mm",
     APART: "photos apart mm",
 }
@@ -213,7 +213,8 @@ def judge(person: Path, keep: Path) -> dict[str, Any]:
         values = folder_values(folder)
     values["person"] = replace(values["person"], stature_m=told_height_m(person), stature_is_known=True)
     values, _ = run_stages(values, up_to("head"))
-    ways = {ALL: {**outline_figures(values, kit), **body_figures(values, kit), **head_figures(values, kit)}}
+    asked = (outline_figures, body_figures, curve_figures, head_figures)
+    ways = {ALL: {name: value for ask in asked for name, value in ask(values, kit).items()}}
     for name, way in WAYS.items():
         ways[name] = figures(way, values, kit)
     places = sources_of(values)
@@ -233,6 +234,8 @@ def figures(way: Way, values: Values, kit: KitTruth) -> Figures:
     found = outline_figures(made, kit) if made["silhouettes"] is not values["silhouettes"] else {}
     if made["body"] is not values["body"]:
         found |= body_figures(made, kit)
+    if "proposals" in way.again:
+        found |= curve_figures(made, kit)
     if made["head"] is not values["head"]:
         found |= head_figures(made, kit)
     return found

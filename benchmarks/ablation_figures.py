@@ -10,6 +10,7 @@ from body_scores import HELD_OUT, KnownTruth, below_head_overlap, body_clone, dr
 from head_scores import ruler, score
 from numpy.typing import NDArray
 
+from cloner.detectors.face.face_net import load_face_net
 from cloner.evaluate.kit_scores import joint_error_mm
 from cloner.evaluate.measures import rulers
 from cloner.evaluate.measures.posing import moved_camera
@@ -20,6 +21,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.paint.lookups.sources import Source
 from cloner.records.labels import LABELS
+from cloner.vision.contours.snake import normals
 
 Array = NDArray[np.float64]
 Values = Mapping[str, Any]
@@ -74,6 +76,21 @@ def head_figures(values: Values, kit: KitTruth) -> Figures:
     whole[generic.head_vertices] = values["head"].vertices_m
     found = score(whole, ruler(kit.truth.surface), generic)
     return {"face mm": found["similarity_mm"], "landmarks mm": found["landmarks_mean_mm"]}
+
+
+def curve_figures(values: Values, kit: KitTruth) -> Figures:
+    """Return how far lids and lips of the front photo lie beside their true curves, percent between the irises."""
+    proposal = values["proposals"].views[ViewId.FACE_FRONT]
+    if proposal.face_presence == 0.0:
+        return {}
+    net, camera = load_face_net(), kit.truth.views[ViewId.FACE_FRONT].camera
+    true_px = camera.project(net.places.at(kit.whole_m(ViewId.FACE_FRONT)))
+    apart = float(np.linalg.norm(proposal.irises_px[0] - proposal.irises_px[1]))
+    beside = []
+    for curve in net.curves.values():
+        found, true = curve @ proposal.face_px, curve @ true_px
+        beside.append(np.abs(np.einsum("ni,ni->n", found - true, normals(true, closed=False))))
+    return {"lids and lips %": 100.0 * float(np.concatenate(beside).mean()) / apart}
 
 
 def apart_mm(sources: list[Source], kit: KitTruth) -> float | None:

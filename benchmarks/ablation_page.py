@@ -20,6 +20,7 @@ FIGURES: Final = {
     "input IoU": (4, False),
     "45 degrees IoU": (4, False),
     "joints mm": (2, True),
+    "lids and lips %": (2, True),
     "face mm": (3, True),
     "landmarks mm": (2, True),
     "photos apart mm": (2, True),
@@ -30,8 +31,9 @@ MEANT: Final = (
     "*outline px*: mean distance of the body's outlines from the true ones, photos of 1,800 px; *outline IoU*: their "
     "overlap; *input IoU*, *45 degrees IoU*: overlap of the fine body with the true silhouette below the head, in the "
     "photos and from a direction that no photo showed; *joints*: twelve joints of the fitted pose beside the true "
-    "ones, in the photos; *face*: surface, size free; *landmarks*: 20 points of the face; *photos apart*: how far "
-    "apart on the skin the face's front and side photo put the same texel."
+    "ones, in the photos; *lids and lips*: how far the curves found in the face's front photo lie beside the true "
+    "ones, percent of the irises' distance; *face*: surface, size free; *landmarks*: 20 points of the face; *photos "
+    "apart*: how far apart on the skin the face's front and side photo put the same texel."
 )
 
 
