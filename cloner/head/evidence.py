@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
@@ -161,6 +161,7 @@ def read_side(
     named = points.views.get(ViewId.FACE_SIDE)
     if named is None or "nose_tip" not in named.names:
         return None
+    named = _beardless(named, proposals.views[ViewId.FACE_SIDE].labels)
     known = [k for k, n in enumerate(named.names) if n in model.generic.feature_names and named.confidence[k] > 0.05]
     if len(known) < 4:
         return None
@@ -188,6 +189,19 @@ def read_side(
         read_inside(model.generic, named, params.corrected_m),
         outline=read_outline(proposals.views[ViewId.FACE_SIDE]),
     )  # fmt: skip
+
+
+def _beardless(named: ViewPoints, labels: NDArray[np.uint8]) -> ViewPoints:
+    """Return a profile's points without those that lie on a beard, whose outline is no mouth's nor chin's."""
+    bearded = (_labels_at(labels, named.points_px) == Label.BEARD) & ~named.corrected
+    kept = [k for k, name in enumerate(named.names) if not bearded[k] or name == "nose_tip"]
+    return replace(
+        named,
+        names=tuple(named.names[k] for k in kept),
+        points_px=named.points_px[kept],
+        confidence=named.confidence[kept],
+        corrected=named.corrected[kept],
+    )
 
 
 def _of_the_face(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:

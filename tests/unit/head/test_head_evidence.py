@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from cloner.fit.cameras import Aim
+from cloner.frames import ViewId
 from cloner.head.ears import Spots
-from cloner.head.evidence import Params, _of_the_face
+from cloner.head.evidence import Params, _beardless, _of_the_face
 from cloner.head.fit import _by_trust
 from cloner.head.model import make_model
 from cloner.records.bodies import Phenotype
 from cloner.records.labels import Label
+from cloner.records.points import ViewPoints
 from cloner.records.views import Camera
 
 HEIGHT, WIDTH = 200, 120
@@ -43,6 +45,14 @@ def test_a_beards_outline_is_not_the_chins() -> None:
     kept = rows_kept(labels(beard=(140, 180)))
     assert not ((kept >= 140) & (kept < 180)).any()
     assert {139, 180} <= set(kept)
+
+
+def test_points_on_a_beard_are_no_mouth_but_an_operators_stay() -> None:
+    names = ("nose_tip", "stomion", "chin_front")
+    places = np.array([[80.0, 100.0], [80.0, 150.0], [78.0, 170.0]])
+    named = ViewPoints(ViewId.FACE_SIDE, names, places, np.full(3, 0.7), np.array([False, False, True]))
+    assert _beardless(named, labels(beard=(140, 180))).names == ("nose_tip", "chin_front")
+    assert _beardless(named, labels()).names == names
 
 
 def test_under_a_cap_or_a_fringe_the_face_begins_below() -> None:
