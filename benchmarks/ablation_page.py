@@ -104,8 +104,8 @@ def write_page(rows: Sequence[Row], own: Mapping[str, str], command: str) -> Non
     text = f"""# What each step is worth
 
 {len(rows)} people of the generator ({rows[0]["name"]} to {rows[-1]["name"]}) of whom nothing was learned,
-five photographs each. Written by `{command}` at {commits}; what each way changes stands in
-`benchmarks/ablation.py`. Nobody corrected a point.
+five photographs each. Written by `{command}`
+at {commits}; what each way changes stands in `benchmarks/ablation.py`. Nobody corrected a point.
 
 Means over the people. Below *{ALL}*, what changes without a step: mean paired difference and its 95 % interval, bold
 where the product is worse off without the step. Empty where a step cannot move a figure.
