@@ -15,7 +15,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES, spread
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
-from cloner.records.points import PointSet, Proposals
+from cloner.records.points import Proposals, ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.seen_joints")
@@ -42,13 +42,21 @@ class SeenJoints:
     spread_px: Array
 
 
-def seen_joints(phenotype: Phenotype, proposals: Proposals, body_points: PointSet) -> Mapping[ViewId, SeenJoints]:
-    """Return the joints that the label net saw in every photo it looked at, but those that an operator placed."""
+def seen_joints(
+    phenotype: Phenotype, proposals: Proposals, points: Mapping[ViewId, ViewPoints]
+) -> Mapping[ViewId, SeenJoints]:
+    """Return the joints that the label net saw in every photo it looked at, but those that an operator placed.
+
+    Parameters
+    ----------
+    points : mapping
+        The body's points, by photo.
+    """
     generic = load_generic()
     found = {}
     for view, posed in phenotype.views.items():
-        places, points = proposals.views[view].seen_px, body_points.views[view]
-        placed = {name for name, fixed in zip(points.names, points.corrected, strict=True) if fixed}
+        places, known = proposals.views[view].seen_px, points.get(view)
+        placed = {name for name, fixed in zip(known.names, known.corrected, strict=True) if fixed} if known else set()
         rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names and name not in placed]
         if len(places) and rows:
             shown = _side_shown(posed)

@@ -28,7 +28,7 @@ from cloner.stages.points import corrected, for_fitting
 from cloner.stages.silhouettes import astray_points
 
 #: Stages that see of the body's points only what ``for_fitting`` and far outline points let through.
-FITTED: Final = ("views", "silhouettes", "phenotype", "join")
+FITTED: Final = ("views", "silhouettes", "phenotype", "fine", "join")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -36,6 +36,7 @@ from cloner.records.photos import Person
 from cloner.records.points import PointSet, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.points import for_fitting
 from cloner.stages.rough import shape_slices
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
@@ -203,7 +204,9 @@ def run(
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
-    consensus, photos = extremities(consensus, photos, phenotype.sole_m, seen_joints(phenotype, proposals, body_points))
+    points = {view: for_fitting(of_view) for view, of_view in body_points.views.items()}
+    joints_seen = seen_joints(phenotype, proposals, points)
+    consensus, photos = extremities(consensus, photos, phenotype.sole_m, joints_seen)
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))

@@ -11,7 +11,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.photos import Person
-from cloner.records.points import Proposals
+from cloner.records.points import PointSet, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 
@@ -49,6 +49,7 @@ def fitted(name):
         "phenotype": Phenotype(0.6 * person.coefficients, STATURE_M, 0.0, views, {}),
         "silhouettes": SilhouetteSet(outlines),
         "proposals": Proposals(proposals),
+        "body_points": PointSet({}),
         "person": Person("known", "", STATURE_M),
     }
     stages = tuple(stage for stage in pipeline.STAGES if stage.name in ("skeleton", "rough", "fine"))
