@@ -20,6 +20,7 @@ from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Final
+from unittest.mock import patch
 
 import numpy as np
 from ablation_figures import Figures, apart_mm, body_figures, curve_figures, head_figures, outline_figures
@@ -108,7 +109,6 @@ def mask_only(values: Values) -> Values:
     found, views = values["silhouettes"].views, {}
     for view, proposal in values["proposals"].views.items():
         padded = np.pad(proposal.mask.astype(np.float64), 1)
-
         contours = sorted(
             (line[:-1, ::-1] - 1.0 for line in measure.find_contours(padded, 127.5)), key=len, reverse=True
         )
@@ -184,8 +184,7 @@ def replaced(way: Way) -> Iterator[None]:
     """Put other functions in the place of a way's steps for a while."""
     with ExitStack() as undo:
         for module, name, instead in way.instead:
-            undo.callback(setattr, module, name, getattr(module, name))
-            setattr(module, name, instead)
+            undo.enter_context(patch.object(module, name, instead))
         yield
 
 

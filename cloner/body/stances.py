@@ -112,48 +112,48 @@ def usual_angles(params: Params) -> tuple[Array, Array]:
     return usual, spread
 
 
-def _by_angles(mesh: BodyMesh, posed: PosedView, places_m: Array, shares: Iterable[Array], angles: Array) -> Array:
+def _by_angles(transforms: Array, pivots_m: Array, places_m: Array, shares: Iterable[Array], angles: Array) -> Array:
     """Return (N, 3, A) motion of posed points per radian of every limb's angle, turned by ``angles`` already.
 
-    ``shares`` (N,) tell for every joint of `_turns` how far it carries each point.
+    ``pivots_m`` are the posed joints; ``shares`` (N,) tell for every joint of `_turns` how far it carries each point.
     """
     parents = load_generic().joint_parents
-    transforms = joint_transforms(mesh.joints_m, parents, posed.rotations)
-    pivots = posed_joints(transforms, mesh.joints_m)
     blocks, start = [], 0
     for (joint, axes, _, _), share in zip(_turns(), shares, strict=True):
         turn = np.zeros(3)
         turn[list(axes)] = angles[start : start + len(axes)]
         frame = transforms[parents[joint], :3, :3] @ turning_axes(turn)
-        blocks.append(turned_motion(places_m, pivots[joint], frame.T[list(axes)], share))
+        blocks.append(turned_motion(places_m, pivots_m[joint], frame.T[list(axes)], share))
         start += len(axes)
     return np.concatenate(blocks, axis=2)
 
 
 def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array) -> Array:
     """Return (N, 3, A) motion of posed vertices per radian of every joint's angle, turned by ``angles`` already."""
-    generic = load_generic()
+    parents, places = load_generic().joint_parents, places_m[vertices]
+    transforms = joint_transforms(mesh.joints_m, parents, posed.rotations)
+    pivots = posed_joints(transforms, mesh.joints_m)
     shares = (share[vertices] for _, _, share, _ in _turns())
-    blocks = [_by_angles(mesh, posed, places_m[vertices], shares, angles)]
-    transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
+    blocks = [_by_angles(transforms, pivots, places, shares, angles)]
     for hand in _curls():
         moved = np.zeros((len(vertices), 3, 1))
         for joint, axis, share in hand:
-            pivot = transforms[joint, :3, :3] @ mesh.joints_m[joint] + transforms[joint, :3, 3]
-            turned = transforms[generic.joint_parents[joint], :3, :3] @ axis
-            moved += turned_motion(places_m[vertices], pivot, turned[None], share[vertices])
+            turned = transforms[parents[joint], :3, :3] @ axis
+            moved += turned_motion(places, pivots[joint], turned[None], share[vertices])
         blocks.append(moved)
     return np.concatenate(blocks, axis=2)
 
 
 def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Rows:
     """Return the rows of the joints seen in one photo by its angles and camera (A), which ``values`` hold."""
-    parents, camera = load_generic().joint_parents, photo.posed.camera
-    places = posed_joints(joint_transforms(mesh.joints_m, parents, photo.posed.rotations), mesh.joints_m)[told.joints]
+    parents = load_generic().joint_parents
+    transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
+    pivots = posed_joints(transforms, mesh.joints_m)
+    places = pivots[told.joints]
     shares = (below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _turns())
-    by_limbs = _by_angles(mesh, photo.posed, places, shares, values)
+    by_limbs = _by_angles(transforms, pivots, places, shares, values)
     by_curls = np.zeros((len(places), 2, len(_curls())))  # no finger is among them
-    pixels, by_points, by_step = projection_derivatives(camera, places)
+    pixels, by_points, by_step = projection_derivatives(photo.posed.camera, places)
     slopes = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_twists(values[-6:], pivot)], axis=2)
     return points((photo.view,), pixels - told.places_px, slopes, told.spread_px, outlier=OUTLIER)
 
