@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.hair.clothing.hoods import HOOD, hood_on, seen_scalp
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo

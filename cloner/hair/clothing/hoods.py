@@ -11,7 +11,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.hair.volumes.views import HairView, cover, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView, cover
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS, shows
 from cloner.vision.segmentation.pieces import pieces_of

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, label
 
 from cloner.frames import ViewId, m_from_mm, mm_from_m
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
 from cloner.records.points import Proposals

@@ -22,9 +22,10 @@ from cloner.hair.shells.mesh import mesh_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.cap import surface_mm
 from cloner.hair.volumes.hanging import INNER_MM
+from cloner.hair.volumes.pictures import FAR_MM, distances_px
 from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.settled import settle_shell
-from cloner.hair.volumes.views import FAR_MM, SIDES, HairView, distances_px
+from cloner.hair.volumes.views import SIDES, HairView
 from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, SMOOTH_VOXELS, voxels
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined

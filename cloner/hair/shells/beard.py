@@ -30,8 +30,9 @@ from cloner.hair.shells.mesh import lowest_m, mesh_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.cap import Scalp, measure_scalp, surface_mm
 from cloner.hair.volumes.hanging import DRAPE_MM, INNER_MM
+from cloner.hair.volumes.pictures import FAR_MM, distances_px
 from cloner.hair.volumes.settled import settle_shell
-from cloner.hair.volumes.views import FAR_MM, HairView, Hanger, distances_px
+from cloner.hair.volumes.views import HairView, Hanger
 from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, SMOOTH_VOXELS, VOXEL_M, cap_mm, near_skin, voxels
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined

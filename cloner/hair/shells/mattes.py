@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.vision.photographs.blending import push_pull

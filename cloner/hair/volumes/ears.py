@@ -13,12 +13,11 @@ from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import nearest_of
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import covered_share
-from cloner.hair.volumes.views import HairView, cover, distances_px
+from cloner.hair.volumes.pictures import body_depth_m, distances_px
+from cloner.hair.volumes.views import HairView, cover
 from cloner.paint.details.tucking import ear_masks, lay_ears, whole_ears
-from cloner.paint.lookups.posed import pose
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 
@@ -67,9 +66,7 @@ def without_ears(view: HairView, vertices_m: Array, ears: list[NDArray[np.bool_]
 
 def views_of(generic: GenericHuman, joined: Joined, views: list[HairView]) -> list[HairView]:
     """Return the evidence with the depth pictures of a person whose vertices were moved; poses are as before."""
-    triangles, shown = body_triangles(), {view.posed.view: view.posed for view in views}
-    depths = abreast(
-        lambda posed: nearest_of(pose(generic, joined, posed), triangles, posed.camera), list(shown.values())
-    )
-    nearest = dict(zip(shown, depths, strict=True))
+    straight = [view for view in views if view.flip_m is None]
+    depths = abreast(lambda view: body_depth_m(generic, joined, view.posed, view.clothed), straight)
+    nearest = {view.posed.view: depth for view, depth in zip(straight, depths, strict=True)}
     return [replace(view, nearest_m=nearest[view.posed.view]) for view in views]

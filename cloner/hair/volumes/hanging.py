@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.hair.volumes.cap import Scalp
+from cloner.hair.volumes.pictures import FAR_MM
 from cloner.hair.volumes.rows import agreed_mm
-from cloner.hair.volumes.views import FAR_MM, SIDES, HairView
+from cloner.hair.volumes.views import SIDES, HairView
 from cloner.records.arrays import Array
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut

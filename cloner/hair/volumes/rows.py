@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.cap import FACE_PHOTO
-from cloner.hair.volumes.views import FAR_MM, SIDES, HairView
+from cloner.hair.volumes.pictures import FAR_MM
+from cloner.hair.volumes.views import SIDES, HairView
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
-from cloner.hair.volumes.views import FAR_MM, SIDES, HairView, cover
+from cloner.hair.volumes.pictures import FAR_MM
+from cloner.hair.volumes.views import SIDES, HairView, cover
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 

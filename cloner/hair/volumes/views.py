@@ -4,36 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
-from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.geometry.cameras.seeing import depth_at, nearest_of
+from cloner.geometry.cameras.seeing import depth_at
 from cloner.geometry.meshes.rasters import nearest_depth
-from cloner.hair.volumes.headwear import headwear
-from cloner.paint.lookups.posed import parents_of, pose
+from cloner.hair.volumes.pictures import FAR_MM, body_depth_m, clean_hair, distances_px
+from cloner.paint.lookups.posed import parents_of
 from cloner.paint.lookups.prepared import person_mask
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import GARMENTS, Label, shows
-from cloner.records.points import Proposal, Proposals
+from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.repair import signed_distance
-from cloner.vision.segmentation.pieces import pieces_of
 
 NEVER_ON_SCALPS = (Label.BODY_SKIN, *GARMENTS)
-SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
-LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
-FAR_MM = 1000.0  # stands for "no hair anywhere near"
 MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
-NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
 LIES_BELOW_M = 0.12  # so far below the chest's joint hair lies on the back and follows no head
 INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees
 #: Photos from before, from aside and from behind.
@@ -186,15 +178,15 @@ def hair_views(
     generic: GenericHuman, joined: Joined, proposals: Proposals, silhouettes: SilhouetteSet
 ) -> list[HairView]:
     """Return every photo's evidence; side photos also mirrored for the half they do not show."""
-    triangles, hanger = body_triangles(), Hanger.of(generic, joined)
+    hanger = Hanger.of(generic, joined)
     middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
 
     def seen(view: ViewId) -> HairView:
         posed, person = joined.views[view], person_mask(view, proposals.views[view], silhouettes)
         hair = clean_hair(proposals.views[view], person)
         transforms = joint_transforms(joined.joints_m, parents_of(generic), posed.rotations)
-        nearest = nearest_of(pose(generic, joined, posed), triangles, posed.camera)
         clothed = person & shows(proposals.views[view].labels, *NEVER_ON_SCALPS)
+        nearest = body_depth_m(generic, joined, posed, clothed)
         return HairView(posed, transforms, hanger, nearest, *distances_px(hair, person), clothed)
 
     found: list[HairView] = []
@@ -203,56 +195,6 @@ def hair_views(
         if one.posed.view in SIDES[1]:
             found.append(replace(one, flip_m=middle))
     return found
-
-
-def distances_px(
-    hair: NDArray[np.bool_], person: NDArray[np.bool_]
-) -> tuple[NDArray[np.bool_], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
-    """Return hair, and the signed distances (H, W) to its outline, to the hairline and to the person's outline, px.
-
-    They are counted around the hair only: most of a body photo is far from it.
-    """
-    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
-    to_hair, to_hairline, to_person = (np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
-    if rows.size:
-        air = int(NEAR_SHARE * max(np.ptp(rows), np.ptp(columns))) + 2
-        box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
-        to_hair[box] = signed_distance(hair[box])
-        to_hairline[box] = hairline(hair[box], person[box])
-        to_person[box] = signed_distance(person[box])
-    return hair, to_hair, to_hairline, to_person
-
-
-def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W) signed distance to the hairline, px, background counted as the person's nearest pixel."""
-    if not hair.any():
-        return signed_distance(hair)
-    to_hair = cv2.distanceTransform((~hair).astype(np.uint8), cv2.DIST_L2, 3)
-    to_other = cv2.distanceTransform((hair | ~person).astype(np.uint8), cv2.DIST_L2, 3)
-    return np.asarray(to_other - to_hair, np.float32)
-
-
-def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
-    hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
-    small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    box, pieces, figures = pieces_of(small)
-    area = figures[:, cv2.CC_STAT_AREA].astype(float)
-    area[0] = 0.0
-    kept = np.zeros(hair.shape, np.bool_)
-    if area.any():
-        kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
-        if proposal.view is ViewId.BODY_BACK:
-            kept[box] |= _small_holes(kept[box])
-    return kept
-
-
-def _small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) the small holes in hair: from behind neither ear nor face shows through it, light plays on it."""
-    _, pieces, figures, _ = cv2.connectedComponentsWithStats((~np.pad(hair, 1)).astype(np.uint8), connectivity=4)
-    small = figures[:, cv2.CC_STAT_AREA] < LARGEST_HOLE * np.count_nonzero(hair)
-    small[[0, pieces[0, 0]]] = False  # the hair itself, and what lies around it
-    return np.asarray(small[pieces[1:-1, 1:-1]], np.bool_)
 
 
 def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:

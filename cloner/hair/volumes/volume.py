@@ -15,9 +15,10 @@ from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, believed_votes, hairline_mm, surface_mm
 from cloner.hair.volumes.gaps import without_gaps
 from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m, usual_width_m
+from cloner.hair.volumes.pictures import FAR_MM
 from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
-from cloner.hair.volumes.views import FAR_MM, SIDES, HairView, hull_mm
+from cloner.hair.volumes.views import SIDES, HairView, hull_mm
 from cloner.records.arrays import Array
 
 LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least

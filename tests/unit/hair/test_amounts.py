@@ -8,7 +8,8 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.amounts import FEWEST, above_mm2, odd_views
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from kit import studio
 
 SIZE = 400

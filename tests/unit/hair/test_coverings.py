@@ -10,7 +10,8 @@ import pytest
 from cloner.frames import ViewId
 from cloner.hair.clothing import coverings
 from cloner.hair.clothing.coverings import covering, with_whole_coverings
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
 

@@ -15,7 +15,8 @@ from cloner.hair.shells.mattes import matte_of, rim_of, with_core
 from cloner.hair.shells.rim_cards import crown_of, rim_shell
 from cloner.hair.shells.rim_strips import LEFT, RIGHT, TEXEL_MM, strips_of
 from cloner.hair.shells.rims import around, beside, rims_of
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from cloner.records.heads import Shell
 from kit import studio
 

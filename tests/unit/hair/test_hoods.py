@@ -8,7 +8,8 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.clothing import hoods
-from cloner.hair.volumes.views import HairView, distances_px
+from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.views import HairView
 from cloner.records.labels import Label
 
 SIZE = 60

@@ -1,0 +1,97 @@
+"""What one photo shows of hair and of what hides it, as pictures."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.cameras.seeing import nearest_of
+from cloner.hair.volumes.headwear import headwear
+from cloner.paint.lookups.posed import pose
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.labels import Label
+from cloner.records.points import Proposal
+from cloner.vision.retouching.repair import signed_distance
+from cloner.vision.segmentation.pieces import pieces_of
+
+SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
+LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
+FAR_MM = 1000.0  # stands for "no hair anywhere near"
+NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
+
+
+def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
+    hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
+    small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    box, pieces, figures = pieces_of(small)
+    area = figures[:, cv2.CC_STAT_AREA].astype(float)
+    area[0] = 0.0
+    kept = np.zeros(hair.shape, np.bool_)
+    if area.any():
+        kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
+        if proposal.view is ViewId.BODY_BACK:
+            kept[box] |= _small_holes(kept[box])
+    return kept
+
+
+def _small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (H, W) the small holes in hair: from behind neither ear nor face shows through it, light plays on it."""
+    _, pieces, figures, _ = cv2.connectedComponentsWithStats((~np.pad(hair, 1)).astype(np.uint8), connectivity=4)
+    small = figures[:, cv2.CC_STAT_AREA] < LARGEST_HOLE * np.count_nonzero(hair)
+    small[[0, pieces[0, 0]]] = False  # the hair itself, and what lies around it
+    return np.asarray(small[pieces[1:-1, 1:-1]], np.bool_)
+
+
+def distances_px(
+    hair: NDArray[np.bool_], person: NDArray[np.bool_]
+) -> tuple[NDArray[np.bool_], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return hair, and the signed distances (H, W) to its outline, to the hairline and to the person's outline, px.
+
+    They are counted around the hair only: most of a body photo is far from it.
+    """
+    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
+    to_hair, to_hairline, to_person = (np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
+    if rows.size:
+        air = int(NEAR_SHARE * max(np.ptp(rows), np.ptp(columns))) + 2
+        box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
+        to_hair[box] = signed_distance(hair[box])
+        to_hairline[box] = hairline(hair[box], person[box])
+        to_person[box] = signed_distance(person[box])
+    return hair, to_hair, to_hairline, to_person
+
+
+def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (H, W) signed distance to the hairline, px, background counted as the person's nearest pixel."""
+    if not hair.any():
+        return signed_distance(hair)
+    to_hair = cv2.distanceTransform((~hair).astype(np.uint8), cv2.DIST_L2, 3)
+    to_other = cv2.distanceTransform((hair | ~person).astype(np.uint8), cv2.DIST_L2, 3)
+    return np.asarray(to_other - to_hair, np.float32)
+
+
+def body_depth_m(
+    generic: GenericHuman, joined: Joined, posed: PosedView, clothed: NDArray[np.bool_]
+) -> NDArray[np.float32]:
+    """Return the depth picture (h, w) of a body in a photo, continued over clothes (H, W) that it shows beside it."""
+    return over_clothes(nearest_of(pose(generic, joined, posed), body_triangles(), posed.camera), clothed)
+
+
+def over_clothes(nearest_m: NDArray[np.float32], clothed: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return a depth picture (h, w), inf where nothing is, continued over clothes (H, W) as deep as nearby.
+
+    A shoulder larger than the fitted one hides hair too; thin hair that hangs behind it was told to be none.
+    """
+    bare, size = np.isinf(nearest_m), (nearest_m.shape[1], nearest_m.shape[0])
+    beyond = bare & (cv2.resize(clothed.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0)
+    if not beyond.any() or bare.all():
+        return nearest_m
+    _, index = cv2.distanceTransformWithLabels(bare.astype(np.uint8), cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL)
+    depths = np.zeros(int(index.max()) + 1, np.float32)
+    depths[index[~bare]] = nearest_m[~bare]
+    return np.where(beyond, depths[index], nearest_m)
