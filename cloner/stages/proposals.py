@@ -35,8 +35,9 @@ from cloner.vision.segmentation.masks import refine_mask
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.proposals")
 
+LABELLED_BODY: Final = _CALIBRATED.number("labelled_body", "share")
+LABELLED_FACE: Final = _CALIBRATED.number("labelled_face", "share")
 LEAST_PERSON = _CALIBRATED.number("least_person", "share")
-
 
 UPRIGHT = _CALIBRATED.number("upright", "factor")
 MOST_UNSURE = _CALIBRATED.number("most_unsure", "share")
@@ -136,8 +137,7 @@ def _figure(
     looks = look(
         photo.rgb, rough > 0.5, photo.view, DETECTORS.get("label_features"), face_points=shown, pose_points=pose_px
     )
-    if photo.view.is_face:
-        rough = both_masks(rough, looks.person(rough.shape))
+    rough = both_masks(rough, looks.person(rough.shape), LABELLED_FACE if photo.view.is_face else LABELLED_BODY)
     mask = refine_mask(photo.rgb, rough, pose_px if photo.view.is_body and visibility.any() else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise nobody_in(photo)
@@ -148,15 +148,14 @@ def _figure(
     return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.seen_px)
 
 
-def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
+def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32], share: float) -> NDArray[np.float32]:
     """Return (H, W) the person's probability from the pose or selfie net's mask and that of the label net.
 
-    Mean overlap of face side photos, six of the samples and five of generated people: with the first mask alone .992
-    and .872, with these weights .995 and .977, with .5 and 1 .994 and .979. Front photos and bodies gain nothing;
-    bodies do without.
+    Either takes what stands behind a limb for a part of it now and then, seldom both. ``share`` is the label net's
+    weight of the log-odds: `LABELLED_FACE` or `LABELLED_BODY`.
     """
     first, second = (np.clip(each, 0.01, 0.99) for each in (posed, labelled))
-    odds = 0.2 * np.log(first / (1.0 - first)) + 0.8 * np.log(second / (1.0 - second))
+    odds = (1.0 - share) * np.log(first / (1.0 - first)) + share * np.log(second / (1.0 - second))
     return np.asarray(1.0 / (1.0 + np.exp(-odds)), np.float32)
 
 
