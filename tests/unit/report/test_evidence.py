@@ -41,6 +41,8 @@ def test_a_photo_that_the_clone_contradicts_is_left_out(view):
     assert list(told) == [view]
     assert "cover only 31 percent of the person" in told[view]
     assert list(contradicted({**seen, view: replace(GOOD, size=0.7)})) == [view], "far too small"
+    assert list(contradicted({**seen, view: replace(GOOD, iou=0.68)})) == [view], "a mouth taken for a nose"
+    assert contradicted({**seen, view: replace(GOOD, iou=0.80)}) == {}, "drawn roughly"
     assert contradicted({**seen, view: GOOD}) == {}
 
 
