@@ -40,6 +40,7 @@ CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stre
 UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
 BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
 SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
+FITTED_COSINE = 0.5  # a face's own points lie on its photo; its rim is carried to the outline (taste)
 SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
 BESIDE_M = 0.01  # what stands out of the fitted body by more is room: its colours are the person's, its place is not
 HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
@@ -132,7 +133,8 @@ def make_source(
 ) -> tuple[Source, float]:
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
     sight = stood.sight
-    lookup, gap = align(sight, plate, limits)
+    fitted = generic.region("face") & (sight.cosine > FITTED_COSINE) if view.is_face else None
+    lookup, gap = align(sight, plate, limits, fitted)
     lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
     if plate.lips_px is not None:
         grid = mouth_grid()
@@ -157,15 +159,20 @@ def make_source(
     return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
-def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
-    """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px."""
+def align(sight: Sight, plate: Plate, limits: Limits, fitted: NDArray[np.bool_] | None = None) -> tuple[Array, float]:
+    """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px.
+
+    ``fitted`` (V,) are vertices that lie on the photo already: shoulders in no known pose, as a face photo shows them,
+    do not move them.
+    """
     height, width = plate.inside_px.shape
     small = np.isfinite(sight.nearest_m).astype(np.float32)
     mesh_mask = cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR) > 0.5
     limit = limits.shift_share * plate.figure_px
     growth = 2 * int(np.ceil(limit)) + 1
     usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
-    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit)
+    placed = None if fitted is None else sight.pixel_px[fitted]
+    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit, placed)
     return shift_points(sight.pixel_px, field), gap
 
 

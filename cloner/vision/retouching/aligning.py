@@ -16,7 +16,11 @@ STEEPEST_COSINE = 0.6  # outlines that run in different directions are different
 
 
 def outline_shift(
-    mesh_mask: NDArray[np.bool_], inside_px: NDArray[np.float32], usable: NDArray[np.bool_], limit_px: float
+    mesh_mask: NDArray[np.bool_],
+    inside_px: NDArray[np.float32],
+    usable: NDArray[np.bool_],
+    limit_px: float,
+    placed_px: Array | None = None,
 ) -> tuple[NDArray[np.float32], float]:
     """Return a smooth displacement field that carries mesh outline to photo outline.
 
@@ -28,6 +32,9 @@ def outline_shift(
         False where the photo's outline is not the body's (hair) or the photo's border.
     limit_px : float
         Outline points farther apart than this are not matched.
+    placed_px : (N, 2) float64, optional
+        Where the mesh lies on the photo already, as a face does that was fitted to points: what is amiss at outlines
+        elsewhere does not move it.
 
     Returns
     -------
@@ -54,10 +61,12 @@ def outline_shift(
     good = (along > STEEPEST_COSINE) & near & within & usable[row, column] & usable[target[:, 1], target[:, 0]]
     if not good.any():
         return np.zeros((*shape, 2), np.float32), 0.0
+    still = np.zeros((0, 2)) if placed_px is None else placed_px
+    known = np.concatenate([points[good], still])
+    wanted = np.concatenate([shift[good], np.zeros_like(still)])
     field = np.zeros((*shape, 2), np.float32)
     for _ in range(ROUNDS):
-        rest = shift[good] - sample(field, points[good] / GRID_PX)
-        field += _spread(points[good], rest, shape)
+        field += _spread(known, wanted - sample(field, known / GRID_PX), shape)
     return field, float(np.abs(inside_px[row, column][good]).mean())
 
 
@@ -82,7 +91,7 @@ def _unit(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-6), np.float32)
 
 
-def _spread(points: NDArray[np.int64], shift: NDArray[np.float32], shape: tuple[int, int]) -> NDArray[np.float32]:
+def _spread(points: Array, shift: Array, shape: tuple[int, int]) -> NDArray[np.float32]:
     """Interpolate sparse displacements smoothly over the whole grid."""
     node = np.rint(points / GRID_PX).astype(int)
     flat = np.clip(node[:, 1], 0, shape[0] - 1) * shape[1] + np.clip(node[:, 0], 0, shape[1] - 1)

@@ -1,6 +1,7 @@
 """Photos made ready: no background in the edge, outlines that meet, light that agrees."""
 
 import numpy as np
+import pytest
 
 from cloner.vision.retouching.aligning import outline_shift, shift_points
 from cloner.vision.retouching.evening import LEVEL_OFFSET, apply_light, common_balance, even_light, light_basis
@@ -40,6 +41,19 @@ def test_outlines_a_few_pixels_apart_are_brought_together():
     moved = shift_points(rim.astype(float), field)
     assert 2.0 < gap < 5.0
     assert np.abs(np.hypot(*(moved - (104, 97)).T) - 58).max() < 1.0
+
+
+def test_what_lies_right_stays_while_an_outline_elsewhere_is_moved():
+    shoulders, lifted = np.zeros((2, 240, 200), bool)
+    shoulders[160:220, 20:180], lifted[148:208, 20:180] = True, True
+    photo, everywhere = signed_distance(lifted), np.ones((240, 200), bool)
+    face = np.stack(np.meshgrid(np.arange(80.0, 121.0, 4.0), np.arange(30.0, 91.0, 4.0)), axis=-1).reshape(-1, 2)
+    free, _ = outline_shift(shoulders, photo, everywhere, 15.0)
+    held, _ = outline_shift(shoulders, photo, everywhere, 15.0, face)
+    assert np.abs(shift_points(face, free) - face).max() > 5.0
+    assert np.abs(shift_points(face, held) - face).max() < 2.0
+    upper = np.array([[100.0, 162.0]])
+    assert shift_points(upper, held)[0, 1] == pytest.approx(150.0, abs=2.5)
 
 
 def test_outlines_too_far_apart_are_left_alone():
