@@ -35,8 +35,8 @@ from cloner.vision.segmentation.masks import refine_mask
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.proposals")
 
-LABELLED_BODY: Final = _CALIBRATED.number("labelled_body", "share")
-LABELLED_FACE: Final = _CALIBRATED.number("labelled_face", "share")
+DENIED: Final = _CALIBRATED.number("denied", "score")
+LABELLED: Final = _CALIBRATED.number("labelled", "share")
 LEAST_PERSON = _CALIBRATED.number("least_person", "share")
 
 UPRIGHT = _CALIBRATED.number("upright", "factor")
@@ -137,7 +137,8 @@ def _figure(
     looks = look(
         photo.rgb, rough > 0.5, photo.view, DETECTORS.get("label_features"), face_points=shown, pose_points=pose_px
     )
-    rough = both_masks(rough, looks.person(rough.shape), LABELLED_FACE if photo.view.is_face else LABELLED_BODY)
+    labelled = looks.person(rough.shape)
+    rough = both_masks(rough, labelled) if photo.view.is_face else undenied(rough, labelled)
     mask = refine_mask(photo.rgb, rough, pose_px if photo.view.is_body and visibility.any() else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise nobody_in(photo)
@@ -148,15 +149,21 @@ def _figure(
     return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.seen_px)
 
 
-def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32], share: float) -> NDArray[np.float32]:
-    """Return (H, W) the person's probability from the pose or selfie net's mask and that of the label net.
-
-    Either takes what stands behind a limb for a part of it now and then, seldom both. ``share`` is the label net's
-    weight of the log-odds: `LABELLED_FACE` or `LABELLED_BODY`.
-    """
+def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (H, W) the person's probability in a face photo from the selfie net's mask and that of the label net."""
     first, second = (np.clip(each, 0.01, 0.99) for each in (posed, labelled))
-    odds = (1.0 - share) * np.log(first / (1.0 - first)) + share * np.log(second / (1.0 - second))
+    odds = (1.0 - LABELLED) * np.log(first / (1.0 - first)) + LABELLED * np.log(second / (1.0 - second))
     return np.asarray(1.0 / (1.0 + np.exp(-odds)), np.float32)
+
+
+def undenied(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (H, W) the person's probability in a body photo: the pose net's, even odds where the label net is sure of
+    the opposite.
+
+    Either takes what stands behind a limb for a part of it now and then, seldom both; the photo's colours decide there.
+    """
+    denied = np.where(posed > 0.5, labelled < DENIED, labelled > 1.0 - DENIED)
+    return np.where(denied, np.float32(0.5), posed)
 
 
 def find_hidden_figure(photo: Photo) -> Figure | None:
