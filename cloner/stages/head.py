@@ -230,6 +230,7 @@ def _iris(photos: PhotoSet, proposals: Proposals, model: Model, fitted: Fitted, 
     pupils = [model.generic.feature(f"pupil_{side}") for side in "LR"]
     metres = fitted.front.metres_per_pixel(whole[pupils[0]])
     rules = [model.net.rules[model.net.names.index(f"pupil_{side}")] for side in "LR"]
-    rgb, labels = photos.photos[front.view].rgb, proposals.views[front.view].labels
-    colour = sample_iris(rgb, labels, np.stack(rules) @ front.net_px, IRIS_M / metres)
+    proposal = proposals.views[front.view]
+    centres = proposal.irises_px if proposal.irises_px.any() else np.stack(rules) @ front.net_px
+    colour = sample_iris(photos.photos[front.view].rgb, proposal.labels, centres, IRIS_M / metres)
     return BROWN if colour is None else colour

@@ -15,20 +15,21 @@ EYE_CORNERS: Final = ((33, 133), (263, 362))
 #: The white begins this far from an iris' middle, share of the eye's width: an iris of 11.7 mm in an opening of 30 mm.
 WHITE_FROM: Final = 0.23
 #: Fewer pixels tell no colour.
-LEAST_WHITE: Final = 12
+LEAST_PIXELS: Final = 12
 
 
 def sample_iris(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], centres_px: Array, radius_px: float) -> Array | None:
     """Return the median colour (3,) of the irises' rings, or None when they are too small, veiled or off the photo.
 
-    The ring from 0.45 to 0.85 of the radius leaves out pupil and rim; its upper part lies under the lid, so only what
-    is below 0.3 radius above the middle counts; the brightest tenth are reflections.
+    The ring from 0.45 to 0.85 of the radius leaves out pupil and rim; the lid shades its upper half, which does not
+    count; the brightest tenth are reflections.
 
     Parameters
     ----------
     rgb : (H, W, 3) uint8
     labels : (H, W) uint8
-        Values of ``Label``: an iris behind hair or a frame by more than half does not count.
+        Values of ``Label``: an iris behind hair or a frame by more than half does not count, and where the eyes are
+        labelled nothing else does: lids and lashes are no iris.
     centres_px : (N, 2)
     radius_px : float
     """
@@ -44,10 +45,11 @@ def sample_iris(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], centres_px: A
             continue
         grid_x, grid_y = np.meshgrid(columns, rows)
         away = np.hypot(grid_x - x, grid_y - y) / radius_px
-        ring = (away > 0.45) & (away < 0.85) & (grid_y - y > -0.3 * radius_px)
-        shown = ~shows(labels[grid_y[ring], grid_x[ring]], Label.HAIR, Label.ACCESSORY)
-        if shown.mean() > 0.5:
-            samples.append(rgb[grid_y[ring], grid_x[ring]][shown].astype(np.float64))
+        ring = (away > 0.45) & (away < 0.85) & (grid_y > y)
+        colours, kinds = rgb[grid_y[ring], grid_x[ring]].astype(np.float64), labels[grid_y[ring], grid_x[ring]]
+        if np.mean(shows(kinds, Label.HAIR, Label.ACCESSORY)) < 0.5:
+            eye = kinds == Label.EYES
+            samples.append(colours[eye if eye.sum() >= LEAST_PIXELS else ~shows(kinds, Label.HAIR, Label.ACCESSORY)])
     if not samples:
         return None
     colours = np.concatenate(samples)
@@ -78,12 +80,12 @@ def white_to_skin(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Ar
     width_px = _eye_px(face_px)
     white = labels == Label.EYES
     rows, columns = np.nonzero(white)
-    if len(rows) < LEAST_WHITE:
+    if len(rows) < LEAST_PIXELS:
         return None
     away = np.stack([np.hypot(columns - x, rows - y) for x, y in irises_px]).min(axis=0)
     beside = (away > WHITE_FROM * width_px) & (away < width_px)
     skin_rgb = skin_around_eyes(rgb, labels, face_px, irises_px)
-    if int(beside.sum()) < LEAST_WHITE or skin_rgb is None:
+    if int(beside.sum()) < LEAST_PIXELS or skin_rgb is None:
         return None
     colours = rgb[rows[beside], columns[beside]].astype(np.float64)
     light = colours.sum(axis=1)
@@ -102,7 +104,7 @@ def skin_around_eyes(
     top, left = max(int(irises_px[:, 1].min()) - reach, 0), max(int(irises_px[:, 0].min()) - reach, 0)
     box = np.s_[top : int(irises_px[:, 1].max()) + reach, left : int(irises_px[:, 0].max()) + reach]
     skin = rgb[box][labels[box] == Label.FACE_SKIN].astype(np.float64)
-    return None if len(skin) < LEAST_WHITE else np.maximum(np.median(skin, axis=0), 1.0)
+    return None if len(skin) < LEAST_PIXELS else np.maximum(np.median(skin, axis=0), 1.0)
 
 
 def _eye_px(face_px: Array) -> float:

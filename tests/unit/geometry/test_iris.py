@@ -9,7 +9,7 @@ from cloner.geometry.charts.iris import sample_iris
 from cloner.records.labels import Label
 
 CENTRES, RADIUS = np.array([[60.0, 50.0], [140.0, 50.0]]), 12.0
-BROWN, FAIR = (90, 60, 40), (190, 180, 150)
+BROWN, FAIR, SKIN = (90, 60, 40), (190, 180, 150), (200, 150, 130)
 
 
 def eyes() -> tuple[np.ndarray, np.ndarray]:
@@ -26,8 +26,17 @@ def eyes() -> tuple[np.ndarray, np.ndarray]:
 def test_an_iris_behind_hair_gives_no_colour() -> None:
     rgb, labels = eyes()
     np.testing.assert_allclose(sample_iris(rgb, labels, CENTRES, RADIUS), BROWN, atol=1.0)
-    unlabelled = np.where(labels == Label.HAIR, Label.FACE_SKIN, labels).astype(np.uint8)
-    assert np.abs(np.array(sample_iris(rgb, unlabelled, CENTRES, RADIUS)) - BROWN).max() > 30.0
+
+
+def test_lids_are_no_iris() -> None:
+    """Below lids that are nearly shut, most of a ring is skin; of photos without labels of eyes it counts."""
+    rgb, labels = eyes()
+    rgb[52:], labels[52:] = SKIN, Label.FACE_SKIN
+    rgb[50:52, :110] = BROWN
+    wide = np.array([[60.0, 48.0]])
+    np.testing.assert_allclose(sample_iris(rgb, labels, wide, RADIUS), BROWN, atol=1.0)
+    unlabelled = np.full_like(labels, Label.FACE_SKIN)
+    assert np.abs(np.array(sample_iris(rgb, unlabelled, wide, RADIUS)) - BROWN).max() > 30.0
 
 
 def test_dark_lenses_show_no_iris() -> None:
