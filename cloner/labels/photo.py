@@ -18,6 +18,7 @@ from cloner.labels.points import points_seen
 from cloner.records.labels import Label, shows
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.photographs.head_frame import HeadFrame, find_head
+from cloner.vision.retouching.repair import nearest_known
 from cloner.vision.segmentation.hair_edge import draw_edge
 from cloner.vision.segmentation.pieces import pieces_of
 
@@ -290,8 +291,4 @@ def _nearest(labels: NDArray[np.uint8], known: NDArray[np.bool_], wanted: NDArra
     """Return the nearest known label of each wanted pixel."""
     if not known.any():
         return np.full(int(wanted.sum()), Label.FACE_SKIN, np.uint8)
-    others = (~known).astype(np.uint8)
-    _, index = cv2.distanceTransformWithLabels(others, cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL)
-    values = np.zeros(int(index.max()) + 1, np.uint8)
-    values[index[known]] = labels[known]
-    return np.asarray(values[index[wanted]], np.uint8)
+    return nearest_known(labels, known, wanted)

@@ -229,8 +229,10 @@ def _iris(photos: PhotoSet, proposals: Proposals, model: Model, fitted: Fitted, 
     whole = model.whole(fitted.head_m)
     pupils = [model.generic.feature(f"pupil_{side}") for side in "LR"]
     metres = fitted.front.metres_per_pixel(whole[pupils[0]])
-    rules = [model.net.rules[model.net.names.index(f"pupil_{side}")] for side in "LR"]
     proposal = proposals.views[front.view]
-    centres = proposal.irises_px if proposal.irises_px.any() else np.stack(rules) @ front.net_px
+    centres = proposal.irises_px
+    if not centres.any():
+        rules = [model.net.rules[model.net.names.index(f"pupil_{side}")] for side in "LR"]
+        centres = np.stack(rules) @ front.net_px
     colour = sample_iris(photos.photos[front.view].rgb, proposal.labels, centres, IRIS_M / metres)
     return BROWN if colour is None else colour

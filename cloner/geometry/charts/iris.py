@@ -47,9 +47,9 @@ def sample_iris(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], centres_px: A
         away = np.hypot(grid_x - x, grid_y - y) / radius_px
         ring = (away > 0.45) & (away < 0.85) & (grid_y > y)
         colours, kinds = rgb[grid_y[ring], grid_x[ring]].astype(np.float64), labels[grid_y[ring], grid_x[ring]]
-        if np.mean(shows(kinds, Label.HAIR, Label.ACCESSORY)) < 0.5:
-            eye = kinds == Label.EYES
-            samples.append(colours[eye if eye.sum() >= LEAST_PIXELS else ~shows(kinds, Label.HAIR, Label.ACCESSORY)])
+        veiled, eye = shows(kinds, Label.HAIR, Label.ACCESSORY), kinds == Label.EYES
+        if veiled.mean() < 0.5:
+            samples.append(colours[eye if eye.sum() >= LEAST_PIXELS else ~veiled])
     if not samples:
         return None
     colours = np.concatenate(samples)

@@ -16,7 +16,7 @@ from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label
 from cloner.records.points import Proposal
-from cloner.vision.retouching.repair import signed_distance
+from cloner.vision.retouching.repair import nearest_known, signed_distance
 from cloner.vision.segmentation.pieces import pieces_of
 
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
@@ -91,7 +91,6 @@ def over_clothes(nearest_m: NDArray[np.float32], clothed: NDArray[np.bool_]) -> 
     beyond = bare & (cv2.resize(clothed.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0)
     if not beyond.any() or bare.all():
         return nearest_m
-    _, index = cv2.distanceTransformWithLabels(bare.astype(np.uint8), cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL)
-    depths = np.zeros(int(index.max()) + 1, np.float32)
-    depths[index[~bare]] = nearest_m[~bare]
-    return np.where(beyond, depths[index], nearest_m)
+    found = nearest_m.copy()
+    found[beyond] = nearest_known(nearest_m, ~bare, beyond)
+    return found

@@ -133,8 +133,8 @@ def make_source(
 ) -> tuple[Source, float]:
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
     sight = stood.sight
-    fitted = generic.region("face") & (sight.cosine > FITTED_COSINE) if view.is_face else None
-    lookup, gap = align(sight, plate, limits, fitted)
+    fitted = generic.region("face") & (sight.cosine > FITTED_COSINE)
+    lookup, gap = align(sight, plate, limits, sight.pixel_px[fitted] if view.is_face else None)
     lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
     if plate.lips_px is not None:
         grid = mouth_grid()
@@ -159,11 +159,11 @@ def make_source(
     return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
-def align(sight: Sight, plate: Plate, limits: Limits, fitted: NDArray[np.bool_] | None = None) -> tuple[Array, float]:
+def align(sight: Sight, plate: Plate, limits: Limits, placed_px: Array | None = None) -> tuple[Array, float]:
     """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px.
 
-    ``fitted`` (V,) are vertices that lie on the photo already: shoulders in no known pose, as a face photo shows them,
-    do not move them.
+    ``placed_px`` (N, 2) is where the mesh lies on the photo already: shoulders in no known pose, as a face photo shows
+    them, do not move it.
     """
     height, width = plate.inside_px.shape
     small = np.isfinite(sight.nearest_m).astype(np.float32)
@@ -171,8 +171,7 @@ def align(sight: Sight, plate: Plate, limits: Limits, fitted: NDArray[np.bool_] 
     limit = limits.shift_share * plate.figure_px
     growth = 2 * int(np.ceil(limit)) + 1
     usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
-    placed = None if fitted is None else sight.pixel_px[fitted]
-    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit, placed)
+    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit, placed_px)
     return shift_points(sight.pixel_px, field), gap
 
 

@@ -52,14 +52,13 @@ def quiet_rgb(photo: Photo) -> NDArray[np.uint8]:
         return photo.rgb
     lab = cv2.cvtColor(photo.rgb, cv2.COLOR_RGB2Lab)
     small = cv2.resize(lab, None, fx=COLOUR_SCALE, fy=COLOUR_SCALE, interpolation=cv2.INTER_AREA)
-    bright, *colours = (
-        cv2.fastNlMeansDenoising(np.ascontiguousarray(plane), None, strength * level, PATCH_PX, SEARCH_PX)
-        for plane, strength in (
-            (lab[..., 0], STRENGTH),
-            (small[..., 1], COLOUR_STRENGTH),
-            (small[..., 2], COLOUR_STRENGTH),
-        )
-    )
+
+    def cleaned(plane: NDArray[np.uint8], strength: float) -> NDArray[np.uint8]:
+        found = cv2.fastNlMeansDenoising(plane, None, strength * level, PATCH_PX, SEARCH_PX)
+        return np.asarray(found, np.uint8)
+
+    bright = cleaned(cv2.extractChannel(lab, 0), STRENGTH)
+    colours = [cleaned(cv2.extractChannel(small, k), COLOUR_STRENGTH) for k in (1, 2)]
     large = cv2.resize(np.dstack(colours), (lab.shape[1], lab.shape[0]), interpolation=cv2.INTER_LINEAR)
     return np.asarray(cv2.cvtColor(np.dstack([bright, large]), cv2.COLOR_Lab2RGB), np.uint8)
 

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+
+Kind = TypeVar("Kind", bound=np.generic)
 
 FAR_PX = 1e4  # farther than any photo is wide
 LEAST_MASS = 0.01  # a mean of fewer pixels of the neighbourhood is none
@@ -97,6 +101,17 @@ def spread_nearest(rgb: NDArray[np.uint8], known: NDArray[np.bool_]) -> NDArray[
     colours[labels[known], :3] = rgb[known]
     spread = np.take(colours.view(np.uint32).ravel(), labels).view(np.uint8)
     return np.ascontiguousarray(spread.reshape(*known.shape, 4)[..., :3])
+
+
+def nearest_known(picture: NDArray[Kind], known: NDArray[np.bool_], wanted: NDArray[np.bool_]) -> NDArray[Kind]:
+    """Return (K,) what a picture (H, W) shows at the known pixel nearest to each wanted one; some pixel is known."""
+    _, index = cv2.distanceTransformWithLabels(
+        (~known).astype(np.uint8), cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    values: NDArray[Kind] = np.zeros(int(index.max()) + 1, picture.dtype)
+    values[index[known]] = picture[known]
+    found: NDArray[Kind] = values[index[wanted]]
+    return found
 
 
 def without_room(mask: NDArray[np.bool_], body: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
