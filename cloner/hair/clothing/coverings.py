@@ -21,10 +21,8 @@ from cloner.records.points import Proposals
 
 Bools = NDArray[np.bool_]
 
-#: Something is worn where more than this of the scalp that all photos show is labelled so, and not as hair; and where
-#: more of that than `HOOD_SHARE` is clothes, it is a hood.
+#: Something is worn where more than this of the scalp that all photos show is labelled so, and not as hair.
 WORN_SHARE: Final = 0.35
-HOOD_SHARE: Final = 0.85
 #: Nor is anything where less than this share of the scalp is: glasses, an alice band.
 LEAST_WORN: Final = 0.1
 #: A covering's colour varies by so many times its spread (robust deviation in CIELAB, within these bounds): light and
@@ -39,6 +37,7 @@ BLUR_SHARE: Final = 0.02
 #: Where less than this share of a scalp is told to be worn, what looks like hair there tells the cloth's colour too.
 SEED_SHARE: Final = 0.2
 CLOTHES: Final = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES)
+ACCESSORY: Final = (Label.ACCESSORY,)
 #: Never part of a covering.
 BARE: Final = (Label.EYES, Label.MOUTH, Label.BEARD, Label.BACKGROUND)
 
@@ -70,10 +69,10 @@ def with_whole_coverings(
     places = {view.posed.view: seen_scalp(view, scalp_m, normals, triangles) for view in straight}
     worn, clothed, hairy = (
         sum(int(np.count_nonzero(shows(labels[view], *kinds) & place)) for view, place in places.items())
-        for kinds in ((Label.ACCESSORY,), CLOTHES, (Label.HAIR,))
+        for kinds in (ACCESSORY, CLOTHES, (Label.HAIR,))
     )
     whole = sum(int(np.count_nonzero(place)) for place in places.values())
-    hood = worn < (1.0 - HOOD_SHARE) * (worn + clothed)
+    hood = is_hood(labels, places)
     least = HOOD if hood else LEAST_WORN
     if worn + clothed <= max(WORN_SHARE * (worn + clothed + hairy), least * whole):
         return views
@@ -93,6 +92,24 @@ def with_whole_coverings(
             view = replace(view, hair=hair, hair_px=to_hair, line_px=to_line, outline_px=to_person, clothed=apart)
         found.append(view)
     return found
+
+
+def is_hood(labels: Mapping[ViewId, NDArray[np.uint8]], scalp: Mapping[ViewId, Bools]) -> bool:
+    """Return whether what covers a scalp is clothes to most of the photos, and nothing worn on the head alone.
+
+    Each photo counts alike: one that takes a hood for a scarf is outvoted, however large it shows the head.
+
+    Parameters
+    ----------
+    labels : mapping of ViewId to (H, W) uint8
+    scalp : mapping of ViewId to (H, W) bool
+        Pixels before which the scalp lies.
+    """
+    lean = 0.0
+    for view, place in scalp.items():
+        clothed, worn = (np.count_nonzero(shows(labels[view], *kinds) & place) for kinds in (CLOTHES, ACCESSORY))
+        lean += (clothed - worn) / max(int(np.count_nonzero(place)), 1)
+    return lean > 0.0
 
 
 def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) -> Bools:

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView, cover
 from cloner.records.arrays import Array
-from cloner.records.labels import GARMENTS, shows
+from cloner.records.labels import GARMENTS, Label, shows
 from cloner.vision.segmentation.pieces import pieces_of
 
+GLASSES = 0.04  # taste: of the scalp's longer side, some 7 mm: frames of glasses are thinner
 HOOD = 0.5  # of the scalp that photos show clothed
 
 
@@ -52,13 +53,19 @@ def without_hoods(
 def hood_on(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: float) -> NDArray[np.bool_]:
     """Return (H, W) the hood of a photo: clothes joined to those on the scalp, above the row of the neck's base.
 
+    Where a hood is taken for something worn on the head it counts as well, but for what is as thin as glasses.
+
     Parameters
     ----------
     labels : (H, W) uint8
     scalp : (H, W) bool
         Pixels before which the scalp lies.
     """
-    worn = shows(labels, *GARMENTS)
+    size = max(int(np.count_nonzero(scalp.any(axis=axis))) for axis in (0, 1))
+    accessory = (labels == Label.ACCESSORY).astype(np.uint8)
+    side = 2 * int(np.ceil(0.5 * GLASSES * size)) + 1
+    thick = cv2.morphologyEx(accessory, cv2.MORPH_OPEN, np.ones((side, side), np.uint8)) > 0
+    worn = shows(labels, *GARMENTS) | thick
     worn[max(int(np.ceil(neck_px)), 0) :] = False
     return _lying_on(worn, scalp, 0.0)
 

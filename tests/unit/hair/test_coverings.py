@@ -84,6 +84,15 @@ def test_only_what_is_worn_becomes_whole(scarf, monkeypatch):
         assert seen is view
 
 
+def test_a_large_photo_that_takes_a_hood_for_a_scarf_is_outvoted():
+    small, large = np.full((10, 10), Label.UPPER_CLOTHES, np.uint8), np.full((90, 90), Label.ACCESSORY, np.uint8)
+    views = (ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.FACE_SIDE)
+    labels = dict(zip(views, (small, small, large), strict=True))
+    places = {view: np.ones_like(own, bool) for view, own in labels.items()}
+    assert coverings.is_hood(labels, places)
+    assert not coverings.is_hood(labels | {ViewId.BODY_BACK: large[:10, :10]}, places)
+
+
 @pytest.mark.parametrize("thing", [Label.ACCESSORY, Label.UPPER_CLOTHES])
 def test_glasses_and_a_patch_on_a_bald_head_are_no_covering(thing, monkeypatch):
     monkeypatch.setattr(coverings, "seen_scalp", lambda *_: SCALP)
