@@ -13,6 +13,7 @@ from cloner.abreast import abreast
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.seen_points import stance
+from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
@@ -83,6 +84,14 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
     return Silhouette(photo.view, contours, outline.filled, tuple(sources), through=astray)
 
 
+def with_cloth(silhouette: Silhouette, regions: tuple[LooseRegion, ...]) -> Silhouette:
+    """Return a silhouette with its loose clothing, whose holes are filled: cloth between the legs has none."""
+    mask = silhouette.mask.copy()
+    for region in regions:
+        mask |= region.cloth(mask.shape)
+    return replace(silhouette, loose=regions, mask=mask)
+
+
 def run(
     *,
     photos: PhotoSet,
@@ -104,5 +113,5 @@ def run(
         tick(len(views) / len(proposals.views))
     shown = {v: (s.mask, *stance(proposals.views[v])) for v, s in views.items()}
     loose = {} if shows_crotch(body_points.views) else find_loose(shown)
-    views |= {view: replace(views[view], loose=regions) for view, regions in loose.items()}
+    views |= {view: with_cloth(views[view], regions) for view, regions in loose.items()}
     return StageResult({"silhouettes": SilhouetteSet(views)}, tuple(residuals))

@@ -31,6 +31,7 @@ class LegRows:
     edges_px : (R, 2) first and last column of the runs through image-left and image-right leg
     seen : (R, 2) bool, False where an arm makes the edge
     joined : (R,) bool, whether everything between both legs is filled
+    filled : (R,) 0..1, how much of the room between usual legs is filled; 1 where there is none
     gap_px : (R,) room between the legs inside the cloth, as the pose and usual legs have it
     off_px : (R, 2) how far the edges stand off from usual legs
     inner_px : (R,) filled pixels between the legs' axes
@@ -42,6 +43,7 @@ class LegRows:
     edges_px: Array
     seen: Bools
     joined: Bools
+    filled: Array
     gap_px: Array
     off_px: Array
     inner_px: Array
@@ -82,7 +84,9 @@ def leg_rows(mask: Bools, pose_px: Array, visibility: Array) -> LegRows | None:
     off = np.stack([axes[:, 0] - half - edges[:, 0], edges[:, 1] - axes[:, 1] - half], axis=1)
     total = np.concatenate([np.zeros((len(at), 1)), np.cumsum(mask[at], axis=1)], axis=1)
     inner = total[line, columns[:, 1] + 1] - total[line, columns[:, 0]]
-    return LegRows(int(at[0]), (at - hips) / (ankles - hips), edges, seen, joined, gap, off, inner, figure)
+    legs = axes[:, 1] - axes[:, 0] - gap
+    filled = np.where(gap > 0.0, np.clip((inner - legs) / np.maximum(gap, 1e-9), 0.0, 1.0), 1.0)
+    return LegRows(int(at[0]), (at - hips) / (ankles - hips), edges, seen, joined, filled, gap, off, inner, figure)
 
 
 def _leg_axes(pose_px: Array, at: NDArray[np.int64]) -> Array:
