@@ -34,6 +34,7 @@ from cloner.hair.volumes.amounts import odd_views
 from cloner.hair.volumes.cap import VOTE_MM, Scalp, measure_scalp
 from cloner.hair.volumes.crowns import with_one_crown
 from cloner.hair.volumes.ears import with_ears_laid
+from cloner.hair.volumes.lost import with_lost_hair
 from cloner.hair.volumes.settled import settle_shell
 from cloner.hair.volumes.tail import find_tail
 from cloner.hair.volumes.views import HairView, Hanger, hair_views
@@ -102,6 +103,7 @@ def run(
     neck = joined.vertices_m[generic.region("neck")]
     neck_m = np.array([neck[:, 0].mean(), neck[:, 1].min(), neck[:, 2].mean()])
     views = with_whole_coverings(views, photos.photos, proposals, *scalp, neck_m)
+    views = with_lost_hair(views, photos.photos, head_middle(generic, joined))
     alike, odd = with_like_amounts(generic, joined, views)
     hair = grow_hair(photos, proposals, alike, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
@@ -116,15 +118,19 @@ def with_like_amounts(
     generic: GenericHuman, joined: Joined, views: list[HairView]
 ) -> tuple[list[HairView], tuple[str, ...]]:
     """Return the evidence without photos whose hair is not that of the others, and a sentence for each of those."""
-    ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
-    middle = np.array([middle_of(generic, joined), ears[:, 1].max(), ears[:, 2].mean()])
-    odd = odd_views(views, middle)
+    odd = odd_views(views, head_middle(generic, joined))
     said = tuple(
         f"{view}: the hair is {share:.1f} times as large here as in the other photos, so this photo's was not used; "
         "take it again before a wall that looks unlike the hair"
         for view, share in odd.items()
     )
     return [view for view in views if view.posed.view not in odd], said
+
+
+def head_middle(generic: GenericHuman, joined: Joined) -> Array:
+    """Return (3,) the head's middle at the height of the ears' tops, at rest."""
+    ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
+    return np.array([middle_of(generic, joined), ears[:, 1].max(), ears[:, 2].mean()])
 
 
 def worn_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tuple[Shell, ...]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.hair.clothing.hoods import HOOD, hood_on, seen_scalp
-from cloner.hair.volumes.pictures import distances_px
+from cloner.hair.volumes.pictures import distances_px, looks_like
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
@@ -25,11 +25,6 @@ Bools = NDArray[np.bool_]
 WORN_SHARE: Final = 0.35
 #: Nor is anything where less than this share of the scalp is: glasses, an alice band.
 LEAST_WORN: Final = 0.1
-#: A covering's colour varies by so many times its spread (robust deviation in CIELAB, within these bounds): light and
-#: folds change lightness more than hue.
-DEVIATIONS: Final = 3.0
-LEAST_SPREAD: Final = (6.0, 2.5, 2.5)
-MOST_SPREAD: Final = (16.0, 6.0, 6.0)
 #: It hangs below the scalp by so many heights of the scalp at most.
 HANGS: Final = 1.6
 #: Colours are told over so much of the scalp's height: a pixel is noise.
@@ -138,11 +133,7 @@ def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) ->
         seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES, Label.HAIR)
     if not seed.any():
         return cloth
-    smooth = cv2.GaussianBlur(rgb[box], (0, 0), max(BLUR_SHARE * height, 0.5))
-    colour = cv2.cvtColor(smooth.astype(np.float32) / 255.0, cv2.COLOR_RGB2LAB)
-    middle = np.median(colour[seed], axis=0)
-    spread = np.clip(1.4826 * np.median(np.abs(colour[seed] - middle), axis=0), LEAST_SPREAD, MOST_SPREAD)
-    alike = (np.abs(colour - middle) < DEVIATIONS * spread).all(axis=2)
+    alike = looks_like(rgb[box], seed, BLUR_SHARE * height)
     # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
     crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + height // 2
     # and where hair may be hair, clothes and necks of its colour are no cloth that hangs from the head

@@ -23,6 +23,11 @@ SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
 FAR_MM = 1000.0  # stands for "no hair anywhere near"
 NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
+#: One thing's colour varies by so many times its spread (robust deviation in CIELAB, within these bounds): light and
+#: folds change lightness more than hue.
+DEVIATIONS = 3.0
+LEAST_SPREAD = (6.0, 2.5, 2.5)
+MOST_SPREAD = (16.0, 6.0, 6.0)
 
 
 def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -46,6 +51,15 @@ def _small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
     small = figures[:, cv2.CC_STAT_AREA] < LARGEST_HOLE * np.count_nonzero(hair)
     small[[0, pieces[0, 0]]] = False  # the hair itself, and what lies around it
     return np.asarray(small[pieces[1:-1, 1:-1]], np.bool_)
+
+
+def looks_like(rgb: NDArray[np.uint8], seed: NDArray[np.bool_], blur_px: float) -> NDArray[np.bool_]:
+    """Return (H, W) pixels of a photo (H, W, 3) with the colours of the seed (H, W), told over a blur."""
+    smooth = cv2.GaussianBlur(rgb, (0, 0), max(blur_px, 0.5))
+    colour = cv2.cvtColor(smooth.astype(np.float32) / 255.0, cv2.COLOR_RGB2LAB)
+    middle = np.median(colour[seed], axis=0)
+    spread = np.clip(1.4826 * np.median(np.abs(colour[seed] - middle), axis=0), LEAST_SPREAD, MOST_SPREAD)
+    return np.asarray((np.abs(colour - middle) < DEVIATIONS * spread).all(axis=2))
 
 
 def distances_px(

@@ -1,0 +1,97 @@
+"""Hair that one photo lost before a wall of its colour, told by the photo from the opposite side."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.hair.volumes.pictures import FAR_MM, distances_px, looks_like
+from cloner.hair.volumes.views import SIDES, HairView
+from cloner.records.arrays import Array
+from cloner.records.photos import Photo
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.segmentation.pieces import pieces_of
+
+SURE_MM = 10.0  # so deep in the other photo's outline: heads turn between photos, and perspective widens what is near
+STEP_MM = 2.0  # apart, what is asked
+BLUR_MM = 3.0  # colours are told over so much: a lock, no single hair
+
+
+def with_lost_hair(views: list[HairView], photos: Mapping[ViewId, Photo], middle_m: Array) -> list[HairView]:
+    """Return the evidence with hair where a front or back photo has wall that looks like it, and the opposite a person.
+
+    From before and behind one sees the same outline. Where they contradict each other, who stands before a wall of
+    another colour is right.
+
+    Parameters
+    ----------
+    views : list of HairView
+    photos : mapping of ViewId to Photo
+    middle_m : (3,)
+        The head's middle at rest, through which the outline is taken to run.
+    """
+    found = []
+    for view in views:
+        opposite = next((SIDES[2 - k] for k in (0, 2) if view.posed.view in SIDES[k]), ())
+        others = [one for one in views if one.posed.view in opposite]
+        if others and view.hair.any():
+            lost = lost_hair(view, photos[view.posed.view].rgb, others, middle_m)
+            if lost.any():
+                whole = distances_px(view.hair | lost, (view.outline_px > 0.0) | lost)
+                view = replace(view, hair=whole[0], hair_px=whole[1], line_px=whole[2], outline_px=whole[3])
+        found.append(view)
+    return found
+
+
+def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], middle_m: Array) -> NDArray[np.bool_]:
+    """Return (H, W) pixels of a photo's background that look like its hair and are the person to all opposite photos.
+
+    Parameters
+    ----------
+    view : HairView
+    rgb : (H, W, 3) uint8
+        Its photo.
+    others : list of HairView
+        Photos from the opposite side.
+    middle_m : (3,) of the head, at rest
+    """
+    middle = view.to_view(middle_m[None])
+    scale = view.pixel_mm(middle)
+    air = (view.outline_px <= 0.0) & (view.outline_px > -FAR_MM)
+    lost = np.zeros(air.shape, np.bool_)
+    rows, columns = np.flatnonzero(air.any(axis=1)), np.flatnonzero(air.any(axis=0))
+    if not rows.size:
+        return lost
+    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    asked = air[box] & looks_like(rgb[box], view.hair[box], BLUR_MM / scale)
+    step = max(round(STEP_MM / scale), 1)
+    coarse = np.argwhere(asked[::step, ::step])
+    if not len(coarse):
+        return lost
+    pixels = step * coarse[:, ::-1].astype(np.float64) + (columns[0], rows[0])
+    points = view.to_rest(view.posed.camera.back_project(pixels, np.repeat(middle, len(pixels), axis=0)))
+    told, judged = np.ones(len(points), np.bool_), np.zeros(len(points), np.bool_)
+    for other in others:
+        there = other.to_view(points)
+        inside = sample(other.outline_px, other.posed.camera.project(there))[:, 0] * other.pixel_mm(there)
+        told &= np.isnan(inside) | (inside > SURE_MM)  # NaN outside the picture
+        judged |= ~np.isnan(inside)
+    small = np.zeros(asked[::step, ::step].shape, np.uint8)
+    small[tuple(coarse[told & judged].T)] = 1
+    small = cv2.morphologyEx(small, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    size = asked.shape[1], asked.shape[0]
+    lost[box] = (cv2.resize(small, size, interpolation=cv2.INTER_NEAREST) > 0) & asked
+    return lost & _joined(view.hair, lost)
+
+
+def _joined(hair: NDArray[np.bool_], lost: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (H, W) the pieces of both that hold some of the hair: sleeves of its colour are none."""
+    box, pieces, _ = pieces_of(hair | lost)
+    found = np.zeros(hair.shape, np.bool_)
+    found[box] = np.isin(pieces, np.unique(pieces[hair[box]]))
+    return found
