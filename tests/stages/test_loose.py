@@ -23,6 +23,7 @@ from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.silhouettes import with_cloth
 from cloner.vision.segmentation.loose_outline import find_loose
 from kit import painted, people, studio
 from kit.clones import toy_clone
@@ -123,6 +124,30 @@ def test_cloth_around_the_legs_is_found_in_all_photos_with_its_hem(kind):
         ends = pixels[[pixels[:, 0].argmin(), pixels[:, 0].argmax()]]
         pixel_mm = 1000 * fit.views[view].camera.metres_per_pixel(cloth.mean(axis=0))
         assert np.abs(region.hem_px - ends[:, 1]).max() * pixel_mm < 45.0, f"{kind} {view}"
+
+
+def slit(mask, pose_px, rise):
+    """Return a mask without a strip, a ninth as wide as the ankles are apart, up from the ankles by a share of it."""
+    hips, ankles = pose_px[[23, 24], 1].mean(), pose_px[[27, 28], 1].mean()
+    middle, half = pose_px[[27, 28], 0].mean(), np.abs(np.diff(pose_px[[27, 28], 0]))[0] / 18.0
+    torn = mask.copy()
+    torn[int(ankles - rise * (ankles - hips)) :, int(middle - half) : int(middle + half) + 1] = False
+    return torn
+
+
+def test_a_slit_in_the_mask_makes_no_trousers_and_is_filled():
+    """A dark hem looks like the floor's shadow."""
+    *_, proposals, outlines = photographed("long skirt")
+    torn = {view: slit(outlines[view].mask, proposal.pose_px, 0.6) for view, proposal in proposals.items()}
+    found = find_loose({v: (torn[v], p.pose_px, p.pose_visibility) for v, p in proposals.items()})
+    assert set(found) == set(proposals)
+    view = ViewId.BODY_FRONT
+    whole = with_cloth(replace(outlines[view], mask=torn[view]), found[view])
+    assert whole.loose == found[view]
+    above = np.arange(len(torn[view]))[:, None] < found[view][0].hem_px.min() - 5.0
+    lost = outlines[view].mask & ~torn[view] & above
+    assert lost.sum() > 500
+    assert whole.mask[lost].all()
 
 
 @pytest.mark.parametrize(("kind", "ease_m"), [("", 0.0), ("", 0.025), ("bag", 0.0)])
