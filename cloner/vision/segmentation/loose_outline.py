@@ -72,7 +72,8 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
     between : levels where it is looked for
     """
     arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
-    drops, bridging = np.zeros(len(legs.level)), np.zeros(len(legs.level), dtype=np.bool_)
+    drops = np.zeros(len(legs.level))
+    bridging, holed = np.zeros((2, len(legs.level)), dtype=np.bool_)
     for row in range(2 * arc, len(drops) - settle):
         if not between[0] < legs.level[row] < between[1]:
             continue
@@ -84,9 +85,11 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
         both_in = float(steps.min()) > LEAST_STEP * legs.figure_px
         low = _is_low(legs, above)
         sure = low if both_in else low and drop > SURE_BRIDGE
-        bridging[row] = both_legs and (sure or (both_in and drop > HIGH_DROP)) and _bridges(legs, above)
-        if bridging[row] or both_in or not both_legs:
+        if both_legs and (sure or (both_in and drop > HIGH_DROP)):
+            bridging[row], holed[row] = _bridges(legs, above), _mostly_bridges(legs, above)
+        if bridging[row] or holed[row] or both_in or not both_legs:
             drops[row] = drop
+    bridging = bridging if bridging.any() else holed
     if bridging.any():
         drops[~bridging] = 0.0
     deepest = int(np.argmax(drops))
@@ -120,9 +123,13 @@ def _steps(legs: LegRows, above: slice, below: slice) -> Array:
 
 
 def _bridges(legs: LegRows, rows: slice) -> bool:
-    """Whether the outline fills everything between the legs; below the knees, most: a mask may have holes there."""
-    holed = np.median(legs.level[rows]) > KNEE and legs.filled[rows].mean() >= MOSTLY
-    return bool(holed or legs.joined[rows].mean() >= FILLED)
+    """Whether the outline fills everything between the legs."""
+    return bool(legs.joined[rows].mean() >= FILLED)
+
+
+def _mostly_bridges(legs: LegRows, rows: slice) -> bool:
+    """Whether it fills most of what is between the legs below the knees: a mask may have holes there."""
+    return bool(np.median(legs.level[rows]) > KNEE and legs.filled[rows].mean() >= MOSTLY)
 
 
 def _is_low(legs: LegRows, rows: slice) -> bool:
