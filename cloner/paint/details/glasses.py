@@ -1,6 +1,6 @@
-"""Glasses as an object of their own: the frame as the front photo shows it, on a sheet before the eyes, with temples.
+"""Glasses as an object of their own: rims, bridge and temples in the frame's colour, as the front photo shows them.
 
-Lenses are clear, so only what the photo shows of the frame (or of dark lenses) is drawn.
+Clear lenses are not drawn, dark ones are.
 """
 
 from __future__ import annotations
@@ -10,30 +10,53 @@ from typing import Final
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
-from cloner.frames import ViewId
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.geometry.meshes.sweeps import swept
+from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import frame_of
+from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
+from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
-from cloner.vision.retouching.repair import spread_nearest
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.plates import EYE_OPENINGS
 
-#: The sheet stands this far before the nasion, and bends back with this radius: the face form of usual frames (taste).
-BEFORE_M, BEND_M = 0.006, 0.16
-#: Points of the sheet across and down; texels of its texture's longer side; rows below it hold the temples' colour.
-GRID: Final = (33, 13)
-TEXELS: Final = 512
-TEMPLE_ROWS: Final = 16
-#: Height of a temple; how far it stays off the ear's top; its bend behind the ear, down and back (usual frames).
-TEMPLE_M, OFF_EAR_M, HOOK_M = 0.005, 0.004, (0.022, 0.018)
-#: Air around the frame in the texture, share of its width.
-AIR: Final = 0.02
+Part = tuple[Array, Array, NDArray[np.int64]]
+"""Vertices (N, 3), uv (N, 2) and triangles (T, 3)."""
+
+#: The frame's plane stands this far before the nasion, and bends back with this radius: the face form of usual frames
+#: (taste). Its back stays so far off the skin.
+BEFORE_M, BEND_M, OFF_SKIN_M = 0.006, 0.16, 0.001
+#: What is looked at, mm from the nasion: left, right, up, down; and how finely.
+REACH_MM, PIXEL_MM = (80.0, 40.0, 45.0), 0.4
+#: How much the labels say of what is frame; its colour says the rest (taste).
+LABELLED: Final = 0.4
+#: Lashes reach so far around the openings of the eyes, as a share of the eyes' span.
+LASHES: Final = 0.033
+#: Skin is told from frame by the colours this far around it, mm.
+SKIN_MM: Final = (3.0, 8.0)
+#: Depth of a rim against its height, and the least half of it.
+DEEP_SHARE, LEAST_DEEP_M = 0.7, 0.0008
+#: Rise of a bridge's middle, and how far before the rims it stands.
+BRIDGE_M: Final = (0.001, 0.002)
+#: Half the height of a temple, between these, and half its width; how far it stays off the head; its bend behind the
+#: ear, down and back (usual frames).
+TEMPLE_M, TEMPLE_WIDE_M, OFF_HEAD_M, HOOK_M = (0.001, 0.0025), 0.0009, 0.0015, (0.024, 0.016)
+#: Skin this near, seen from aside, lies beside a temple.
+BESIDE_M: Final = 0.006
+#: Points of a rim, of a bridge, of a temple.
+POINTS: Final = (48, 7, 16)
+#: Texels of the picture: a band each for two rims, bridge, two temples and two lenses.
+BANDS, BAND_PX, WIDE_PX = 7, 8, 64
 
 
 def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal: Proposal) -> Shell | None:
@@ -49,91 +72,184 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     proposal : Proposal
         Of that photo.
     """
-    frame = frame_of(proposal)
-    rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
-    if not rows.size:
-        return None
-    air = int(AIR * np.ptp(columns)) + 2
-    box = (columns[0] - air, rows[0] - air, columns[-1] + air, rows[-1] + air)
     view = joined.views[ViewId.FACE_FRONT]
     head = generic.joint_names.index("skullbase")
     posed_from_rest = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)[head]
-    sheet_m, sheet_uv, sheet_triangles = _sheet(joined, view, posed_from_rest, box)
-    rgba = _texture(photo.rgb, frame, box)
-    share = TEMPLE_ROWS / len(rgba)
-    sheet_uv[:, 1] *= 1.0 - share
-    temples = [_temple(generic, joined, sheet_m, side, 1.0 - 0.5 * share) for side in "LR"]
-    parts = [(sheet_m, sheet_uv, sheet_triangles), *temples]
+    shown = _plane_picture(joined, view, posed_from_rest, photo, proposal)
+    if shown is None:
+        return None
+    frame, colours = shown
+    eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
+    corner = (-REACH_MM[0], REACH_MM[1])
+    shape = find_shape(frame, corner, PIXEL_MM, mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2])
+    if shape is None:
+        return None
+    parts = _parts(generic, joined, shape)
+    for band, (_, uv, _) in enumerate(parts):
+        uv[:] = uv * (1.0, (BAND_PX - 2.0) / (BANDS * BAND_PX)) + (0.0, (band * BAND_PX + 1.0) / (BANDS * BAND_PX))
+    vertices, uv = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
     starts = np.cumsum([0] + [len(part[0]) for part in parts])
     triangles = np.concatenate([part[2] + start for part, start in zip(parts, starts, strict=False)])
-    vertices = np.concatenate([part[0] for part in parts])
-    joints = np.zeros((len(vertices), 4), np.int32)
-    joints[:] = head
-    weights = np.tile([1.0, 0.0, 0.0, 0.0], (len(vertices), 1))
-    uv = np.concatenate([part[1] for part in parts])
+    joints, weights = np.full((len(vertices), 4), head, np.int32), np.tile([1.0, 0.0, 0.0, 0.0], (len(vertices), 1))
+    rgba = _texture(shape, frame, colours)
     return Shell(vertices, triangles.astype(np.int32), uv, joints, weights, rgba, "glasses")
 
 
-def _sheet(
-    joined: Joined, view: PosedView, posed_from_rest: Array, box: tuple[int, int, int, int]
-) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return rest points (N, 3), uv and triangles of a bent sheet that the camera sees fill a box of the photo."""
-    left, top, right, bottom = box
-    across, down = np.meshgrid(np.linspace(0.0, 1.0, GRID[0]), np.linspace(0.0, 1.0, GRID[1]))
-    pixel = np.column_stack([left + across.ravel() * (right - left), top + down.ravel() * (bottom - top)])
-    start = view.camera.position_m
-    any_depth = np.tile(joined.features_m["nasion"], (len(pixel), 1))
-    way = view.camera.back_project(pixel, any_depth) - start
-    # rays in the head's rest frame: there the gaze is +Z and left is +X
-    rest_from_posed = np.linalg.inv(posed_from_rest)
-    start = rest_from_posed[:3, :3] @ start + rest_from_posed[:3, 3]
-    way = way @ rest_from_posed[:3, :3].T
+def _on_plane(joined: Joined, flat_m: Array) -> Array:
+    """Return rest points (..., 3) of places (..., 2) in the frame's plane, which bends back to both sides."""
     nasion = joined.features_m["nasion"]
-    depth = np.full(len(way), nasion[2] + BEFORE_M)
-    for _ in range(4):  # the bend is slight: three rounds settle to a hundredth of a millimetre
-        reach = (depth - start[2]) / way[:, 2]
-        points = start + reach[:, None] * way
-        depth = nasion[2] + BEFORE_M - (points[:, 0] - nasion[0]) ** 2 / (2.0 * BEND_M)
-    corner = np.arange(GRID[0] * GRID[1]).reshape(GRID[1], GRID[0])
-    a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[:-1, 1:], corner[1:, :-1], corner[1:, 1:]))
-    triangles = np.concatenate([np.column_stack([a, c, b]), np.column_stack([b, c, d])])
-    return points, np.column_stack([across.ravel(), down.ravel()]), triangles
+    depth = BEFORE_M - flat_m[..., 0] ** 2 / (2.0 * BEND_M)
+    return np.asarray(np.concatenate([flat_m, depth[..., None]], axis=-1) + nasion)
 
 
-def _texture(rgb: NDArray[np.uint8], frame: NDArray[np.bool_], box: tuple[int, int, int, int]) -> NDArray[np.uint8]:
-    """Return (S, T, 4) the frame cut out of the photo, with rows of its usual colour below."""
-    left, top, right, bottom = box
-    part = np.s_[max(top, 0) : bottom + 1, max(left, 0) : right + 1]
-    width, height = right - left + 1, bottom - top + 1
-    scale = TEXELS / max(width, height)
-    size = (max(1, round(width * scale)), max(1, round(height * scale)))
-    photo_from_texel = np.array([[1.0 / scale, 0.0, min(left, 0)], [0.0, 1.0 / scale, min(top, 0)]])
-    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    cut = cv2.warpAffine(spread_nearest(rgb[part], frame[part]), photo_from_texel, size, flags=flags)
-    alpha = cv2.warpAffine(frame[part].astype(np.uint8) * 255, photo_from_texel, size, flags=flags)
-    rgba = np.zeros((size[1] + TEMPLE_ROWS, size[0], 4), np.uint8)
-    rgba[: size[1], :, :3], rgba[: size[1], :, 3] = cut, cv2.GaussianBlur(alpha, (3, 3), 0)
-    rgba[size[1] :, :, :3], rgba[size[1] :, :, 3] = np.median(rgb[frame], axis=0), 255
+def _plane_picture(
+    joined: Joined, view: PosedView, posed_from_rest: Array, photo: Photo, proposal: Proposal
+) -> tuple[NDArray[np.float32], NDArray[np.float32]] | None:
+    """Return how much of each place (h, w) in the frame's plane is frame, and the colours (h, w, 3) seen there.
+
+    Labels and colours tell together: a net's labels lose thin frames, and dark skin or hair has a frame's colour.
+    None where no frame is labelled.
+    """
+    labelled = frame_of(proposal)
+    if not labelled.any():
+        return None
+    across = np.arange(-REACH_MM[0], REACH_MM[0], PIXEL_MM)
+    down = np.arange(REACH_MM[1], -REACH_MM[2], -PIXEL_MM)
+    rest = _on_plane(joined, m_from_mm(1.0) * np.stack(np.meshgrid(across, down), axis=-1))
+    pixel = view.camera.project(rest.reshape(-1, 3) @ posed_from_rest[:3, :3].T + posed_from_rest[:3, 3])
+
+    def read(picture: NDArray[np.generic]) -> NDArray[np.float32]:
+        found = np.nan_to_num(sample(picture, pixel)).reshape(*rest.shape[:2], -1)
+        return np.asarray(found, np.float32)
+
+    frame, open_skin, colours = (
+        read(labelled.astype(np.float32))[..., 0],
+        read(_without_eyes(proposal).astype(np.float32))[..., 0],
+        read(photo.rgb),
+    )
+    sure = frame > 0.5
+    core = cv2.erode(sure.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    away = PIXEL_MM * cv2.distanceTransform((~sure).astype(np.uint8), cv2.DIST_L2, 5)
+    around = (away > SKIN_MM[0]) & (away < SKIN_MM[1]) & (open_skin > 0.5)
+    if not core.any() or not around.any():
+        return frame, colours
+    lab = cv2.cvtColor(cv2.GaussianBlur(colours, (0, 0), 0.8) / 255.0, cv2.COLOR_RGB2LAB)
+    own, skin = np.median(lab[core], axis=0), np.median(lab[around], axis=0)
+    lean = np.linalg.norm(lab - skin, axis=2) - np.linalg.norm(lab - own, axis=2)
+    told = np.clip(0.5 + 0.5 * lean / max(float(np.linalg.norm(own - skin)), 1.0), 0.0, 1.0)
+    return np.asarray(LABELLED * frame + (1.0 - LABELLED) * open_skin * told, np.float32), colours
+
+
+def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
+    """Return (H, W) where a photo shows skin or what is worn on it, and no eye with its lashes."""
+    eyes = np.zeros(proposal.labels.shape, np.uint8)
+    for ring in EYE_OPENINGS:
+        cv2.fillPoly(eyes, [np.round(proposal.face_px[list(ring)]).astype(np.int32)], 1)
+    span = float(np.linalg.norm(proposal.face_px[EYE_OPENINGS[0][0]] - proposal.face_px[EYE_OPENINGS[1][0]]))
+    side = 2 * int(LASHES * span) + 1
+    eyes = cv2.dilate(eyes, np.ones((side, side), np.uint8))
+    return np.asarray(shows(proposal.labels, Label.FACE_SKIN, Label.BODY_SKIN, Label.ACCESSORY) & (eyes == 0))
+
+
+def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Part]:
+    """Return both rims, the bridge, both temples, and both lenses where they are dark."""
+    thick = 0.5 * shape.thick_m
+    deep = max(DEEP_SHARE * thick, LEAST_DEEP_M)
+    length = arc_lengths(np.concatenate([shape.rim_m, shape.rim_m[:1]]))
+    even = np.linspace(0.0, length[-1], POINTS[0], endpoint=False)
+    rim = places_along(np.concatenate([shape.rim_m, shape.rim_m[:1]]), length, even)
+    flat = [rim * (sign, 1.0) + middle for sign, middle in zip(SIDES, shape.middles_m, strict=True)]
+    forward = _clearance_m(generic, joined, np.concatenate(flat), deep)
+    lifted = [_on_plane(joined, one) + forward for one in flat]
+    outward = [np.column_stack([rim * (sign, 1.0), np.zeros(len(rim))]) for sign in SIDES]
+    rims = [
+        swept(path, way, np.array([thick, deep]), closed=True)
+        for path, way in zip(lifted, outward, strict=True)
+    ]  # fmt: skip
+    inner = [_nearest_height(rim, shape.bridge_m[0], outer=False)] * 2
+    ends = np.stack([path[row] for path, row in zip(lifted, inner, strict=True)])
+    share = np.linspace(0.0, 1.0, POINTS[1])
+    bow = (1.0 - (2.0 * share - 1.0) ** 2)[:, None] * (0.0, *BRIDGE_M)
+    path = ends[0] + share[:, None] * (ends[1] - ends[0]) + bow
+    up = np.tile([0.0, 1.0, 0.0], (len(path), 1))
+    parts = [*rims, swept(path, up, np.array([0.5 * shape.bridge_m[1], deep]), closed=False)]
+    for side, (sign, middle, hinge, lens) in enumerate(
+        zip(SIDES, shape.middles_m, shape.hinges_m, lifted, strict=True)
+    ):
+        row = _nearest_height(rim, float(hinge[1] - middle[1]), outer=True)
+        way = _temple_path(generic, joined, lens[row], _on_plane(joined, hinge) + forward, "LR"[side], sign)
+        tall = np.clip(thick, *TEMPLE_M)
+        parts.append(swept(way, np.tile([0.0, 1.0, 0.0], (len(way), 1)), np.array([tall, TEMPLE_WIDE_M]), closed=False))
+    if shape.dark:
+        parts += [_disc(path) for path in lifted]
+    return parts
+
+
+def _nearest_height(rim_m: Array, height_m: float, *, outer: bool) -> int:
+    """Return the point of the left rim (N, 2) at a height on its outer or inner side."""
+    side = rim_m[:, 0] > 0.0 if outer else rim_m[:, 0] < 0.0
+    return int(np.where(side, np.abs(rim_m[:, 1] - height_m), np.inf).argmin())
+
+
+def _clearance_m(generic: GenericHuman, joined: Joined, flat_m: Array, deep_m: float) -> Array:
+    """Return (3,) how far the frame stands forward so that no part of it lies in the face."""
+    face = joined.vertices_m[generic.region("face")]
+    points = _on_plane(joined, flat_m)
+    near = cKDTree(face[:, :2]).query_ball_point(points[:, :2], BESIDE_M)
+    skin = np.array([face[rows, 2].max() if rows else -np.inf for rows in near])
+    inside = float((skin + OFF_SKIN_M + deep_m - points[:, 2]).max())
+    return np.array([0.0, 0.0, max(inside, 0.0)])
+
+
+def _temple_path(generic: GenericHuman, joined: Joined, rim_m: Array, hinge_m: Array, side: str, sign: float) -> Array:
+    """Return points (K, 3) from a rim to its hinge, over the ear and down behind it, outside the head."""
+    ear = generic.region("ear_left" if side == "L" else "ear_right")
+    top = joined.vertices_m[generic.feature(f"ear_top_{side}")]
+    folds = joined.vertices_m[ear]
+    high = folds[folds[:, 1] > np.median(folds[:, 1])]
+    root_x = 0.5 * (top[0] + sign * float((sign * high[:, 0]).min()))
+    root = np.array([root_x, top[1] - BESIDE_M, top[2]])
+    end = root - (0.0, HOOK_M[0], HOOK_M[1])
+    corners = np.stack([rim_m, hinge_m, root, root - (0.0, 0.3 * HOOK_M[0], 0.7 * HOOK_M[1]), end])
+    length = arc_lengths(corners)
+    path = np.concatenate([corners[:1], places_along(corners, length, np.linspace(length[1], length[-1], POINTS[2]))])
+    head = joined.vertices_m[generic.skin & generic.segment("head") & ~ear]
+    head = head[sign * head[:, 0] > 0.0]
+    near = cKDTree(head[:, 1:]).query_ball_point(path[2:, 1:], BESIDE_M)
+    least = np.array([(sign * head[rows, 0]).max() + OFF_HEAD_M if rows else 0.0 for rows in near])
+    path[2:, 0] = sign * np.maximum(sign * path[2:, 0], least)
+    return path
+
+
+def _disc(rim_m: Array) -> Part:
+    """Return a lens: a fan in a rim (N, 3)."""
+    rows, count = np.arange(len(rim_m)), len(rim_m)
+    points = np.concatenate([rim_m, rim_m.mean(axis=0)[None]])
+    turn = 2.0 * np.pi * rows / count
+    uv = np.concatenate([0.5 + 0.5 * np.column_stack([np.cos(turn), np.sin(turn)]), [[0.5, 0.5]]])
+    after = np.roll(rows, -1)
+    triangles = np.column_stack([rows, after, np.full(count, count)])
+    flip = np.cross(rim_m[after] - rim_m[rows], points[-1] - rim_m[rows])[:, 2].sum() < 0.0
+    return points, uv, triangles[:, ::-1] if flip else triangles
+
+
+def _texture(shape: FrameShape, frame: NDArray[np.float32], colours: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Return (S, T, 4) the colour of the frame, and below it that of dark lenses."""
+
+    def median(flat_m: Array) -> NDArray[np.float32]:
+        place = (mm_from_m(1.0) * flat_m - (-REACH_MM[0], REACH_MM[1])) * (1.0, -1.0) / PIXEL_MM
+        told = np.nan_to_num(sample(frame, place)[:, 0]) > 0.5
+        shown = sample(colours, place[told] if told.any() else place)
+        return np.asarray(np.nanmedian(shown, axis=0), np.float32)
+
+    def places(shares: NDArray[np.float64]) -> Array:
+        rims = [shape.rim_m * (sign, 1.0) for sign in SIDES]
+        return np.concatenate([
+            share * rim + middle for rim, middle in zip(rims, shape.middles_m, strict=True) for share in shares
+        ])  # fmt: skip
+
+    rgba = np.full((BANDS * BAND_PX, WIDE_PX, 4), 255, np.uint8)
+    rgba[..., :3] = median(places(np.ones(1)))
+    if shape.dark:
+        rgba[5 * BAND_PX :, :, :3] = median(places(np.array([0.3, 0.5, 0.7])))
     return rgba
-
-
-def _temple(
-    generic: GenericHuman, joined: Joined, sheet_m: Array, side: str, v: float
-) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return points, uv and triangles of the strip from the sheet's outer part over the ear and down behind it."""
-    grid = sheet_m.reshape(GRID[1], GRID[0], 3)
-    sign = 1.0 if side == "L" else -1.0
-    column = 0 if sign * grid[0, 0, 0] > sign * grid[0, -1, 0] else -1
-    hinge = grid[GRID[1] // 3, column]
-    ear = joined.vertices_m[generic.feature(f"ear_top_{side}")]
-    root = np.array([ear[0] + sign * OFF_EAR_M, ear[1] - OFF_EAR_M, ear[2] + 0.5 * HOOK_M[1]])
-    end = root - (0.0, HOOK_M[0], HOOK_M[1] + 0.5 * HOOK_M[1])
-    middle = np.stack([hinge, 0.5 * (hinge + root) + (sign * OFF_EAR_M, 0.0, 0.0), root, end])
-    half = np.array([0.0, 0.5 * TEMPLE_M, 0.0])
-    points = np.concatenate([middle + half, middle - half])
-    upper, count = np.arange(len(middle) - 1), len(middle)
-    triangles = np.concatenate([
-        np.column_stack([upper, upper + count, upper + 1]),
-        np.column_stack([upper + 1, upper + count, upper + count + 1]),
-    ])  # fmt: skip
-    return points, np.tile([0.5, v], (len(points), 1)), triangles

@@ -1,4 +1,4 @@
-"""Glasses: the frame is told from caps, the sheet lies where the photo shows it, temples reach over the ears."""
+"""Glasses: the frame is told from caps, rims lie where the photo shows them, temples reach over the ears."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.labels.glasses import frame_of, wears_glasses
-from cloner.paint.details.glasses import BEFORE_M, GRID, glasses_shell
+from cloner.paint.details.glasses import BAND_PX, glasses_shell
 from cloner.paint.lookups.prepared import without_glasses
 from cloner.records.bodies import PosedView
 from cloner.records.labels import Label
@@ -79,33 +79,84 @@ def test_who_wears_a_cap_alone_wears_no_glasses():
     assert not wears_glasses(Proposals({ViewId.FACE_FRONT: proposal}))
 
 
-def test_the_sheet_lies_where_the_photo_shows_the_frame():
+def drawn_shell(shell, camera):
+    """Return where a camera sees a shell."""
+    return studio.silhouette(shell.vertices_m, shell.triangles, camera)
+
+
+def overlap(first, second):
+    return (first & second).sum() / (first | second).sum()
+
+
+def test_the_rims_lie_where_the_photo_shows_them():
     photo, proposal, generic, person = portrait()
     shell = glasses_shell(generic, person, photo, proposal)
     assert shell is not None
-    sheet = shell.vertices_m[: GRID[0] * GRID[1]]
-    pixel = person.views[ViewId.FACE_FRONT].camera.project(sheet)
-    rows, columns = np.nonzero((photo.rgb == FRAME).all(axis=2))
-    # the box around the frame with 2 % and 2 px of air
-    air = 0.02 * np.ptp(columns) + 2
-    assert pixel.min(axis=0) == pytest.approx([columns.min() - air, rows.min() - air], abs=1.5)
-    assert pixel.max(axis=0) == pytest.approx([columns.max() + air, rows.max() + air], abs=1.5)
-    nasion = person.features_m["nasion"]
-    assert sheet[:, 2].max() == pytest.approx(nasion[2] + BEFORE_M, abs=0.0005)
     assert shell.kind == "glasses"
+    camera = person.views[ViewId.FACE_FRONT].camera
+    frame = (photo.rgb == FRAME).all(axis=2)
+    columns = np.flatnonzero(frame.any(axis=0))
+    rims = np.s_[:, columns[0] - 3 : columns[-1] + 4]
+    bridge = drawn_shell(shell, camera) & ~cv2.dilate(frame.astype(np.uint8), np.ones((9, 9), np.uint8)).astype(bool)
+    assert overlap(drawn_shell(shell, camera)[rims] & ~bridge[rims], frame[rims]) > 0.75
+    assert (shell.rgba[: 5 * BAND_PX, :, :3] == FRAME).all()
+    face = person.vertices_m[generic.region("face")]
+    middle = shell.vertices_m[np.abs(shell.vertices_m[:, 0]) < 0.002]
+    assert middle[:, 2].min() > person.features_m["nasion"][2]
+    assert shell.vertices_m[:, 2].max() < face[:, 2].max() + 0.02
 
 
-def test_temples_end_behind_the_ears():
+def test_a_rim_behind_hair_is_the_other_one_mirrored():
+    photo, proposal, generic, person = portrait()
+    whole = glasses_shell(generic, person, photo, proposal)
+    half = proposal.labels.copy()
+    half[:, WIDTH // 2 :] = Label.HAIR
+    photo.rgb[:, WIDTH // 2 :] = (60, 40, 30)
+    hidden = glasses_shell(generic, person, photo, SimpleNamespace(**{**vars(proposal), "labels": half}))
+    assert whole is not None
+    assert hidden is not None
+    camera = person.views[ViewId.FACE_FRONT].camera
+    assert overlap(drawn_shell(hidden, camera), drawn_shell(whole, camera)) > 0.6
+
+
+def test_two_specks_are_no_glasses():
+    photo, proposal, generic, person = portrait()
+    speck = np.where((proposal.labels == Label.ACCESSORY), int(Label.FACE_SKIN), proposal.labels).astype(np.uint8)
+    rows, columns = np.nonzero(proposal.labels == Label.ACCESSORY)
+    speck[rows[:40], columns[:40]] = Label.ACCESSORY
+    photo.rgb[...] = SKIN
+    assert glasses_shell(generic, person, photo, SimpleNamespace(**{**vars(proposal), "labels": speck})) is None
+
+
+def test_dark_lenses_are_drawn_in_their_colour():
+    photo, proposal, generic, person = portrait()
+    dark, inside = (60, 50, 40), np.zeros((HEIGHT, WIDTH), np.uint8)
+    camera = person.views[ViewId.FACE_FRONT].camera
+    for name in ("pupil_L", "pupil_R"):
+        middle = camera.project(person.vertices_m[[generic.feature(name)]])[0]
+        cv2.ellipse(inside, tuple(int(v) for v in np.round(middle)), (32, 24), 0, 0, 360, 1, -1)
+    photo.rgb[inside > 0], proposal.labels[inside > 0] = dark, Label.ACCESSORY
+    shell = glasses_shell(generic, person, photo, proposal)
+    assert shell is not None
+    assert (shell.rgba[5 * BAND_PX :, :, :3] == dark).all()
+    seen = drawn_shell(shell, camera)
+    assert (seen & (inside > 0)).sum() > 0.95 * (inside > 0).sum()
+
+
+def test_temples_end_behind_the_ears_outside_the_head():
     photo, proposal, generic, person = portrait()
     shell = glasses_shell(generic, person, photo, proposal)
     assert shell is not None
+    head = person.vertices_m[generic.skin & generic.segment("head")]
     for side, sign in (("L", 1.0), ("R", -1.0)):
         ear = person.vertices_m[generic.feature(f"ear_top_{side}")]
         own = shell.vertices_m[sign * shell.vertices_m[:, 0] > 0.02]
         last = own[own[:, 2].argmin()]
         assert last[2] < ear[2]
         assert last[1] < ear[1]
-        assert sign * (last[0] - ear[0]) > 0.0
+        before = own[(own[:, 2] > ear[2] + 0.03) & (own[:, 2] < ear[2] + 0.06)]
+        beside = head[(np.abs(head[:, 1:] - before[:, 1:].mean(axis=0)) < 0.006).all(axis=1)]
+        assert (sign * before[:, 0]).max() > (sign * beside[:, 0]).max()
 
 
 def test_skin_goes_on_below_the_frame():
