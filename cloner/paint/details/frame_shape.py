@@ -91,8 +91,24 @@ def usual_rim_mm() -> Array:
     return np.asarray((across**SQUARE + up**SQUARE) ** (-1.0 / SQUARE))
 
 
+def hides_eyes(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float, eyes_mm: Array) -> bool:
+    """Return whether what is labelled as frame covers the eyes: dark lenses. Parameters as of `find_shape`."""
+    at = _reader(picture, corner_mm, pixel_mm)
+    return bool(np.mean([at(eye + _around(NEAREST_MM)).mean() for eye in eyes_mm]) > DARK)
+
+
+def _reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float) -> Reader:
+    """Return what reads a picture at points (..., 2), mm."""
+
+    def at(points_mm: Array) -> Array:
+        place = (points_mm - corner_mm) * (1.0, -1.0) / pixel_mm
+        return np.nan_to_num(sample(picture, place.reshape(-1, 2))[:, 0]).reshape(place.shape[:-1]).astype(np.float64)
+
+    return at
+
+
 def find_shape(
-    picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float, eyes_mm: Array
+    picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float, eyes_mm: Array, *, dark: bool
 ) -> FrameShape | None:
     """Return the frame that a picture of its plane shows, None where too little of it is seen.
 
@@ -104,14 +120,11 @@ def find_shape(
     pixel_mm : float
     eyes_mm : (2, 2)
         The left and the right eye in the plane, mm.
+    dark : bool
+        Whether the lenses count as frame.
     """
-
-    def at(points_mm: Array) -> Array:
-        place = (points_mm - corner_mm) * (1.0, -1.0) / pixel_mm
-        return np.nan_to_num(sample(picture, place.reshape(-1, 2))[:, 0]).reshape(place.shape[:-1]).astype(np.float64)
-
+    at = _reader(picture, corner_mm, pixel_mm)
     eyes, radii, moved = np.array(eyes_mm, np.float64), usual_rim_mm(), np.zeros(4)
-    dark = bool(np.mean([at(eye + _around(NEAREST_MM)).mean() for eye in eyes]) > DARK)
     across = USUAL_THICK_MM
     for turn in range(2 * ROUNDS + 1):
         middles = eyes + (MOVES @ moved).reshape(2, 2)

@@ -5,7 +5,8 @@ Clear lenses are not drawn, dark ones are.
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Any, Final
 
 import cv2
 import numpy as np
@@ -18,7 +19,7 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import swept
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import frame_of
-from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape
+from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, hides_eyes
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -75,13 +76,18 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     view = joined.views[ViewId.FACE_FRONT]
     head = generic.joint_names.index("skullbase")
     posed_from_rest = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)[head]
-    shown = _plane_picture(joined, view, posed_from_rest, photo, proposal)
-    if shown is None:
+    labelled = frame_of(proposal)
+    if not labelled.any():
         return None
-    frame, colours = shown
+    read = _plane_reader(joined, view, posed_from_rest)
+    frame, colours = read(labelled.astype(np.float32))[..., 0], read(photo.rgb)
     eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
+    eyes_mm = mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2]
     corner = (-REACH_MM[0], REACH_MM[1])
-    shape = find_shape(frame, corner, PIXEL_MM, mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2])
+    dark = hides_eyes(frame, corner, PIXEL_MM, eyes_mm)
+    if not dark:
+        frame = _with_colours(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
+    shape = find_shape(frame, corner, PIXEL_MM, eyes_mm, dark=dark)
     if shape is None:
         return None
     parts = _parts(generic, joined, shape)
@@ -102,42 +108,47 @@ def _on_plane(joined: Joined, flat_m: Array) -> Array:
     return np.asarray(np.concatenate([flat_m, depth[..., None]], axis=-1) + nasion)
 
 
-def _plane_picture(
-    joined: Joined, view: PosedView, posed_from_rest: Array, photo: Photo, proposal: Proposal
-) -> tuple[NDArray[np.float32], NDArray[np.float32]] | None:
-    """Return how much of each place (h, w) in the frame's plane is frame, and the colours (h, w, 3) seen there.
-
-    Labels and colours tell together: a net's labels lose thin frames, and dark skin or hair has a frame's colour.
-    None where no frame is labelled.
-    """
-    labelled = frame_of(proposal)
-    if not labelled.any():
-        return None
+def _plane_reader(
+    joined: Joined, view: PosedView, posed_from_rest: Array
+) -> Callable[[NDArray[Any]], NDArray[np.float32]]:
+    """Return what reads a picture of the photo (H, W, ...) at each place (h, w, ...) of the frame's plane."""
     across = np.arange(-REACH_MM[0], REACH_MM[0], PIXEL_MM)
     down = np.arange(REACH_MM[1], -REACH_MM[2], -PIXEL_MM)
     rest = _on_plane(joined, m_from_mm(1.0) * np.stack(np.meshgrid(across, down), axis=-1))
     pixel = view.camera.project(rest.reshape(-1, 3) @ posed_from_rest[:3, :3].T + posed_from_rest[:3, 3])
 
-    def read(picture: NDArray[np.generic]) -> NDArray[np.float32]:
+    def read(picture: NDArray[Any]) -> NDArray[np.float32]:
         found = np.nan_to_num(sample(picture, pixel)).reshape(*rest.shape[:2], -1)
         return np.asarray(found, np.float32)
 
-    frame, open_skin, colours = (
-        read(labelled.astype(np.float32))[..., 0],
-        read(_without_eyes(proposal).astype(np.float32))[..., 0],
-        read(photo.rgb),
-    )
+    return read
+
+
+def _with_colours(
+    frame: NDArray[np.float32], colours: NDArray[np.float32], open_skin: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    """Return how much of each place (h, w) is frame by labels and colours together.
+
+    Labels lose thin frames, and dark skin or hair has a frame's colour.
+
+    Parameters
+    ----------
+    frame : (h, w) float32 in 0..1, by labels alone
+    colours : (h, w, 3) float32, levels
+    open_skin : (h, w) float32 in 0..1
+        Where skin is seen, or what is worn on it, and no eye.
+    """
     sure = frame > 0.5
     core = cv2.erode(sure.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     away = PIXEL_MM * cv2.distanceTransform((~sure).astype(np.uint8), cv2.DIST_L2, 5)
     around = (away > SKIN_MM[0]) & (away < SKIN_MM[1]) & (open_skin > 0.5)
     if not core.any() or not around.any():
-        return frame, colours
+        return frame
     lab = cv2.cvtColor(cv2.GaussianBlur(colours, (0, 0), 0.8) / 255.0, cv2.COLOR_RGB2LAB)
     own, skin = np.median(lab[core], axis=0), np.median(lab[around], axis=0)
     lean = np.linalg.norm(lab - skin, axis=2) - np.linalg.norm(lab - own, axis=2)
     told = np.clip(0.5 + 0.5 * lean / max(float(np.linalg.norm(own - skin)), 1.0), 0.0, 1.0)
-    return np.asarray(LABELLED * frame + (1.0 - LABELLED) * open_skin * told, np.float32), colours
+    return np.asarray(LABELLED * frame + (1.0 - LABELLED) * open_skin * told, np.float32)
 
 
 def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
