@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from cloner.detectors.body.pose_order import read_again
 from cloner.detectors.face.found import Face, face_behind_hair, face_in
 from cloner.detectors.face.profile_cut import free_profile
 from cloner.detectors.nets.portraits import is_cut_below
-from cloner.detectors.nets.results import Box
+from cloner.detectors.nets.results import Box, PoseResult
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -38,7 +38,6 @@ _CALIBRATED: Final = calibrated("stages.proposals")
 DENIED: Final = _CALIBRATED.number("denied", "score")
 LABELLED: Final = _CALIBRATED.number("labelled", "share")
 LEAST_PERSON = _CALIBRATED.number("least_person", "share")
-
 UPRIGHT = _CALIBRATED.number("upright", "factor")
 MOST_UNSURE = _CALIBRATED.number("most_unsure", "share")
 
@@ -113,13 +112,21 @@ def find_figure(photo: Photo) -> Figure:
     try:
         pose = DETECTORS.get("pose")(photo.rgb, check_people(photo))
     except NobodySeen:
-        pose = DETECTORS.get("pose_with_room")(photo.rgb) if photo.view is ViewId.FACE_SIDE else None
+        pose = _pose_unseen(photo)
     if pose is None:
         raise nobody_in(photo)
     pose = read_again(photo.rgb, photo.view, pose, DETECTORS.get("pose"))
     if float((pose.mask > 0.5).mean()) < LEAST_PERSON:
         raise nobody_in(photo)
     return _figure(photo, pose.points_px, np.asarray(pose.visibility, dtype=np.float64), pose.mask)
+
+
+def _pose_unseen(photo: Photo) -> PoseResult | None:
+    """Return the pose of somebody whom no detector sees, None where there is none."""
+    if photo.view is ViewId.FACE_SIDE:
+        return cast(PoseResult | None, DETECTORS.get("pose_with_room")(photo.rgb))
+    standing = standing_mask(photo) if photo.view.is_body else None
+    return None if standing is None else DETECTORS.get("pose_in_mask")(photo.rgb, standing)
 
 
 def _figure(
@@ -180,11 +187,12 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
     return _figure(photo, pose, np.zeros(33), mask)
 
 
-def stands_somebody(photo: Photo) -> bool:
-    """Whether the label net sees a standing figure in a body photo in which the pose net sees nobody."""
+def standing_mask(photo: Photo) -> NDArray[np.bool_] | None:
+    """Return the (H, W) standing figure that the label net sees in a body photo, None where it sees none."""
     everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
     mask = look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
-    return _is_whole(mask) and not is_cut_below(mask.astype(np.float64)) and _stands(mask > 0.5)
+    inside = np.asarray(mask > 0.5, np.bool_)
+    return inside if _is_whole(mask) and not is_cut_below(mask.astype(np.float64)) and _stands(inside) else None
 
 
 def _is_whole(mask: NDArray[np.float32]) -> bool:
@@ -216,7 +224,7 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
         photo = photos.photos[view]
         figure = find_hidden_figure(photo) if view is ViewId.FACE_SIDE else None
         alike = view is ViewId.FACE_SIDE and shares_colours(photo.rgb, others) >= SOMEBODY
-        stands = view in (ViewId.BODY_SIDE, ViewId.BODY_BACK) and stands_somebody(photo)
+        stands = view in (ViewId.BODY_SIDE, ViewId.BODY_BACK) and standing_mask(photo) is not None
         if figure is not None and alike:
             found[view] = propose_within(photo, figure)
         elif figure is not None or alike or stands:

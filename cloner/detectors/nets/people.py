@@ -39,6 +39,8 @@ DIM: Final = _CALIBRATED.number("dim", "score")
 CERTAIN: Final = _CALIBRATED.number("certain", "score")
 ROOM: Final = _CALIBRATED.number("room", "share")
 AT_EDGE: Final = _CALIBRATED.number("at_edge", "share")
+#: Of a standing figure's height from its top: the hips, the radius of the circle round the body, shoulders and nose.
+IN_MASK: Final = (0.5, 0.55, 0.2, 0.08)
 
 
 def _find_people(photo: Photo) -> list[Box]:
@@ -139,3 +141,26 @@ def pose_with_room(rgb: Photo) -> PoseResult | None:
     if not (mask[: max(round(AT_EDGE * height), 1)] > 0.5).any():
         return None
     return replace(pose, points_px=pose.points_px - room, mask=np.ascontiguousarray(mask))
+
+
+def pose_in_mask(rgb: Photo, inside: NDArray[np.bool_]) -> PoseResult | None:
+    """Find the person who stands where a mask says, and whom no detector sees: hooded, before a motley wall.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    inside : (H, W) bool
+        Where another net sees somebody standing.
+
+    Returns
+    -------
+    PoseResult or None
+        None where the pose net is not certain.
+    """
+    rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
+    height, across = float(np.ptp(rows)), 0.5 * float(columns[0] + columns[-1])
+    shares = np.array([IN_MASK[0], IN_MASK[0] - IN_MASK[1], *IN_MASK[2:]])
+    points = np.column_stack([np.full(4, across), rows[0] + height * shares])
+    edges = float(columns[0]), float(rows[0]), float(columns[-1]), float(rows[-1])
+    box = Box("person", *edges, 1.0, points)
+    return detect_pose(rgb, box) if look(rgb, around_body(box), pose_net).score >= CERTAIN else None

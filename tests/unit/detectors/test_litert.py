@@ -11,7 +11,7 @@ from skimage import data
 
 from cloner.detectors.nets import litert
 from cloner.detectors.nets.litert import detect_face, detect_pose
-from cloner.detectors.nets.people import detect_people
+from cloner.detectors.nets.people import detect_people, pose_in_mask
 from cloner.detectors.nets.placing import has_face, lies_in, same_body, same_crop, same_place
 from cloner.detectors.nets.results import POSE_NAMES, Box
 from cloner.vision.photographs.crops import Crop
@@ -98,6 +98,17 @@ def test_backs_and_empty_pictures_have_no_face() -> None:
     noise = np.random.default_rng(0).integers(0, 255, (900, 600, 3)).astype(np.uint8)
     assert detect_people(noise) == []
     assert detect_people(np.ascontiguousarray(data.coffee())) == []
+
+
+@pytest.mark.parametrize("view", ["body_front", "body_side"])
+def test_somebody_in_a_mask_is_found_without_a_detector(view: str) -> None:
+    rgb, inside = photo("anna", "plain", view).rgb, truth_mask("anna", "plain", view)
+    seen, usual = pose_in_mask(rgb, inside), detect_pose(rgb)
+    assert seen is not None
+    assert usual is not None
+    height = np.ptp(np.flatnonzero(inside.any(axis=1)))
+    assert np.median(np.hypot(*(seen.points_px - usual.points_px).T)) < 0.01 * height
+    assert pose_in_mask(np.full_like(rgb, 120), inside) is None
 
 
 @pytest.mark.parametrize("view", ["body_front", "body_side", "body_back", "face_front"])

@@ -3,12 +3,13 @@
 import functools
 import pickle
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from cloner.detectors.nets.placing import stands
-from cloner.detectors.nets.results import Box
+from cloner.detectors.nets.results import Box, PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.labels.photo import Looks
@@ -179,6 +180,29 @@ def test_somebody_standing_whom_only_the_label_net_sees_is_left_out(monkeypatch,
     else:
         with pytest.raises(NobodySeen):
             settle_hidden(pictures, known, unseen)
+
+
+@pytest.mark.parametrize("sure", [True, False])
+def test_whom_only_the_label_net_sees_stand_is_asked_of_the_pose_net(monkeypatch, sure):
+    proposal, given = seen(SIDE)
+    asked = []
+
+    def pose_in_mask(rgb, inside):
+        asked.append(inside)
+        sight, mask = proposal.pose_visibility, proposal.mask.astype(np.float32) / 255.0
+        return PoseResult(proposal.pose_px, sight, sight, 1.0, mask) if sure else None
+
+    own = {"people": lambda rgb: [], "pose_in_mask": pose_in_mask}
+    others = proposals.DETECTORS
+    monkeypatch.setattr(proposals, "DETECTORS", SimpleNamespace(get=lambda name: own.get(name) or others.get(name)))
+    if sure:
+        assert (proposals.find_figure(given).pose_px == proposal.pose_px).all()
+    else:
+        with pytest.raises(NobodySeen):
+            proposals.find_figure(given)
+    (inside,) = asked
+    person = proposal.mask > 127
+    assert (inside & person).sum() > 0.9 * (inside | person).sum()
 
 
 def test_the_pose_of_a_head_counts_less_where_hair_hides_the_face():
