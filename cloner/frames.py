@@ -34,6 +34,16 @@ class ViewId(StrEnum):
         """Whether the photo shows the face close up."""
         return self.value.startswith("face")
 
+    @property
+    def is_front(self) -> bool:
+        """Whether the photo is taken from before."""
+        return self.value.endswith("front")
+
+    @property
+    def is_side(self) -> bool:
+        """Whether the photo is taken from aside."""
+        return self.value.endswith("side")
+
 
 BODY_VIEWS = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK)
 FACE_VIEWS = (ViewId.FACE_FRONT, ViewId.FACE_SIDE)

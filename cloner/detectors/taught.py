@@ -91,7 +91,7 @@ def load_face_errors(view: str) -> FaceErrors:
 
 def errors_of(view: ViewId) -> FaceErrors:
     """Return how the points of a photo's face err."""
-    return load_face_errors("side" if view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) else "front")
+    return load_face_errors("side" if view.is_side else "front")
 
 
 def frame_of(points: ViewPoints, errors: FaceErrors) -> Frame | None:

@@ -38,7 +38,7 @@ def photo_shares(generic: GenericHuman, view: ViewId, *, photos: frozenset[ViewI
         The photos there are: those of the face keep those of the body off the head, and paint the chest without them.
     """
     faces = frozenset(one for one in photos if one.is_face)
-    reach = _SIDE_REACH_M if view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) else _SHOULDER_REACH_M
+    reach = _SIDE_REACH_M if view.is_side else _SHOULDER_REACH_M
     if view is ViewId.FACE_FRONT and faces == photos:
         reach = _CHEST_REACH_M
     head = np.maximum(head_weight(generic), _beside_neck(generic, reach)) if faces else head_weight(generic)

@@ -52,8 +52,6 @@ from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.photographs.noise import quieted
 
-FRONTS = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)  # with no other photo the back of the hair is made up
-
 
 @dataclass(frozen=True, slots=True)
 class Params:
@@ -184,7 +182,7 @@ def grow_hair(
     hats = worn_views(views, proposals) if peaked.any() or reach_mm is not None else []
     worn = (peaked, hats) if peaked.any() else None
     hung = Hanger.of(generic, joined).weights(surface[0])
-    strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
+    strands = 1.0 if all(view.posed.view.is_front for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])
     shell = dress_shell(
         generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried, worn=worn

@@ -54,7 +54,7 @@ def propose_face_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     ViewPoints
         Without points where no face was found. Confidence is exp(-expected error / 10 % of the eye distance).
     """
-    if photo.view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE):
+    if photo.view.is_side:
         return _side_points(photo, proposal)
     return _front_points(photo, proposal)
 

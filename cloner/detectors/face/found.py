@@ -30,7 +30,7 @@ Face = tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64
 
 def face_in(photo: Photo) -> Face:
     """Return (468, 2) points, (468,) depths, all pixels, presence and (2, 2) irises of a face; zeros without one."""
-    if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
+    if photo.view.is_front:
         face: FaceResult | None = DETECTORS.get("face")(photo.rgb)
         if face is not None and face.presence >= LEAST_PRESENCE:
             return _looked_at(photo, face, float(face.presence))

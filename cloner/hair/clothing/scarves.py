@@ -122,7 +122,7 @@ def scarf_field(
     high = chin_m + (AROUND_M, ABOVE_M + m_from_mm(CLIP_MM), AROUND_M)
     grid, shape = voxels(low, high)
     deep_m = float(body[0][:, 2].min()), float(body[0][:, 2].max())
-    front = next(view for view in worn if view.posed.view in SIDES[0])
+    front = next(view for view in worn if view.posed.view.is_front)
     near = np.flatnonzero(front.evidence(grid)[0] > -CLIP_MM)
     inside, sides = agreed_mm(worn, grid[near], deep_m)
     told = (inside > -CLIP_MM) & (sides > 1)  # one point of the grid in twelve

@@ -112,7 +112,7 @@ def beard_shell(
     # By the planes of a neck's end the chest's air would be skin: long beards were pushed out of it as spikes.
     shape = settle_shell(views, body, *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, shape, mesh[1], grown)
-    aside = any(view.posed.view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) for view in views)
+    aside = any(view.posed.view.is_side for view in views)
     if thickness_mm(grown, shape[used], inside_mm) < (THINNEST_MM if aside else UNSEEN_MM):
         return None
     rides = rows[roots[cKDTree(points[roots]).query(shape[used])[1]]].astype(np.int32)

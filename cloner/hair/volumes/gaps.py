@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, binary_erosion
 
-from cloner.hair.volumes.views import SIDES, HairView
+from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
 #: Half the widest gap that is closed, voxels of 4 mm: bodies and heads err by a centimetre each.
@@ -54,7 +54,7 @@ def without_gaps(
     shown = np.zeros(len(asked), np.bool_)
     for view in views:
         inside, judged = view.evidence(points_m[asked])
-        if view.posed.view not in SIDES[1]:  # from aside a tail's width and the neck beside it are one
+        if not view.posed.view.is_side:  # from aside a tail's width and the neck beside it are one
             shown |= judged & (inside > 0.0)
         open_here = judged & (inside < -DOUBT_MM)
         asked, shown = asked[~open_here], shown[~open_here]

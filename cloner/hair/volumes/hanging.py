@@ -9,7 +9,7 @@ from cloner.frames import m_from_mm, mm_from_m
 from cloner.hair.volumes.cap import Scalp
 from cloner.hair.volumes.pictures import FAR_MM
 from cloner.hair.volumes.rows import agreed_mm
-from cloner.hair.volumes.views import SIDES, HairView
+from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
@@ -23,7 +23,7 @@ BELOW_EARS_MM = 10.0  # taste: hair that goes on so far below the ears' middle h
 
 def seen_aside(views: list[HairView]) -> bool:
     """Return whether a photo shows the head from aside."""
-    return any(view.posed.view in SIDES[1] for view in views)
+    return any(view.posed.view.is_side for view in views)
 
 
 def usual_depth_m(scalp: Scalp) -> tuple[float, float]:

@@ -192,7 +192,7 @@ def hair_views(
     found: list[HairView] = []
     for one in abreast(seen, [view for view in joined.views if view in proposals.views]):
         found.append(one)
-        if one.posed.view in SIDES[1]:
+        if one.posed.view.is_side:
             found.append(replace(one, flip_m=middle))
     return found
 

@@ -18,7 +18,7 @@ from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_
 from cloner.hair.volumes.pictures import FAR_MM
 from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
-from cloner.hair.volumes.views import SIDES, HairView, hull_mm
+from cloner.hair.volumes.views import HairView, hull_mm
 from cloner.records.arrays import Array
 
 LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
@@ -161,7 +161,7 @@ def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.fl
     """
     field = tail.inside_mm(points_m)
     rows = np.flatnonzero(field > -CLIP_MM)
-    front = [view for view in views if view.posed.view in SIDES[0]]
+    front = [view for view in views if view.posed.view.is_front]
     if front and rows.size:
         seen = hull_mm(front, points_m[rows])
         judged = seen > -FAR_MM  # behind head and shoulders no front photo sees a tail

@@ -132,7 +132,7 @@ def _flattened(generic: GenericHuman, sources: list[Source], colours: Array, tru
     """Return (K, V, 3) log gains that take some of the one-sided light off cloth in photos that show both halves."""
     light = np.zeros((len(sources), len(normals), 3))
     for k, source in enumerate(sources):
-        if source.view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+        if source.view.is_side:
             continue
         slope = one_sided_light(np.asarray(log_levels(colours[k]), np.float64), trust[k], normals, generic.mirror)
         light[k] = -FLATTENED_CLOTH * normals[:, :1] * slope

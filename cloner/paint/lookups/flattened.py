@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
-from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight
 from cloner.geometry.meshes.graphs import SurfaceGraph
@@ -34,7 +33,6 @@ FACED: Final = (0.6, 0.88)
 SLANT_STIFFNESS: Final = 2.0  # as `STIFFNESS`
 SHADE: Final = 0.3  # log level beyond which a slant is no shade but a nostril or a beard
 LARGEST_SHADE: Final = 0.15  # taste; .25 costs .5 dE against photos in the same hard light
-_SIDES: Final = (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
 
 def flatten_halves(
@@ -58,7 +56,7 @@ def flatten_halves(
             (source.score > 0.0) & skin, np.clip((source.sight.cosine - low) / (high - low), 0.0, 1.0), 0.0
         )
         both = np.minimum(shown, shown[twin])
-        if source.view in _SIDES or np.count_nonzero(both) < LEAST_PAIRS:
+        if source.view.is_side or np.count_nonzero(both) < LEAST_PAIRS:
             return np.zeros(colours.shape[1:])
         logs = np.asarray(log_levels(colours[k]), np.float64)
         lean = graph.fill(0.5 * (logs - logs[twin]), both + UNSEEN, STIFFNESS)

@@ -75,7 +75,7 @@ def make_plate(
     skin: SkinColour | None,
 ) -> Plate:
     """Return the photo without background; see :func:`prepare_plate`."""
-    frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
+    frontal = proposal.face_presence >= limits.face_presence and view.is_front
     return prepare_plate(
         rgb,
         mask,

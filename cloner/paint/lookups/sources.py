@@ -116,7 +116,7 @@ def gather_sources(
         source, gap = found
         sources.append(source)
         residuals.append(Residual("outline_shift", gap, "px", str(view)))
-        if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+        if view.is_side:
             sources.append(mirror_source(generic, source))
         if view is ViewId.FACE_FRONT:
             sources.append(mirror_hidden(generic, source))
