@@ -30,10 +30,10 @@ NEAREST_MM, FARTHEST_MM, STEP_MM = 8.0, 42.0, 0.25
 HARMONICS: Final = 6
 #: Weight of the usual shape against one ray, and how far a ray may lie off before it counts less, mm.
 PRIOR, DOUBT_MM = 0.15, 1.5
-#: Weight against one ray of lenses that stay where the eyes are: apart, up, aside, round.
 #: Distances along a ray; a band is looked for so near to the rim so far, mm, and stands out of what is beside by more.
 REACH_MM: Final = np.arange(NEAREST_MM, FARTHEST_MM, STEP_MM)
 NEAR_MM, STANDS = 6.0, 0.3
+#: Weight against one ray of lenses that stay where the eyes are: apart, up, aside, round.
 HELD: Final = np.array([0.5, 0.5, 10.0, 60.0])
 ROUNDS: Final = 8
 #: How both lenses' places (x, y, x, y) change as they move apart, up, aside and round.
@@ -91,14 +91,16 @@ def usual_rim_mm() -> Array:
     return np.asarray((across**SQUARE + up**SQUARE) ** (-1.0 / SQUARE))
 
 
-def hides_eyes(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float, eyes_mm: Array) -> bool:
-    """Return whether what is labelled as frame covers the eyes: dark lenses. Parameters as of `find_shape`."""
-    at = _reader(picture, corner_mm, pixel_mm)
-    return bool(np.mean([at(eye + _around(NEAREST_MM)).mean() for eye in eyes_mm]) > DARK)
+def frame_reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float) -> Reader:
+    """Return what reads a picture of the frame's plane.
 
-
-def _reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float) -> Reader:
-    """Return what reads a picture at points (..., 2), mm."""
+    Parameters
+    ----------
+    picture : (h, w) float32 in 0..1
+        How much of each pixel is frame; rows run down, columns to the wearer's left.
+    corner_mm : (x, y) of the first pixel, mm from the nasion
+    pixel_mm : float
+    """
 
     def at(points_mm: Array) -> Array:
         place = (points_mm - corner_mm) * (1.0, -1.0) / pixel_mm
@@ -107,55 +109,76 @@ def _reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_
     return at
 
 
-def find_shape(
-    picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float, eyes_mm: Array, *, dark: bool
-) -> FrameShape | None:
-    """Return the frame that a picture of its plane shows, None where too little of it is seen.
+def hides_eyes(at: Reader, eyes_mm: Array) -> bool:
+    """Return whether frame covers the eyes (2, 2), mm: dark lenses."""
+    return bool(np.mean([at(eye + _around(NEAREST_MM)).mean() for eye in eyes_mm]) > DARK)
+
+
+def find_shape(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
+    """Return the frame that lies in its plane, None where too little of it is seen.
 
     Parameters
     ----------
-    picture : (h, w) float32 in 0..1
-        How much of each pixel is frame; rows run down, columns to the wearer's left.
-    corner_mm : (x, y) of the first pixel, mm from the nasion
-    pixel_mm : float
+    at : Reader
     eyes_mm : (2, 2)
-        The left and the right eye in the plane, mm.
+        The left and the right eye in the plane, mm from the nasion.
     dark : bool
         Whether the lenses count as frame.
     """
-    at = _reader(picture, corner_mm, pixel_mm)
-    eyes, radii, moved = np.array(eyes_mm, np.float64), usual_rim_mm(), np.zeros(4)
+    radii, moved, told = _settled(
+        lambda middle, sign, _: _rays(at, middle, sign, dark)[0], eyes_mm, usual_rim_mm(), np.zeros(4)
+    )
     across = USUAL_THICK_MM
-    for turn in range(2 * ROUNDS + 1):
-        middles = eyes + (MOVES @ moved).reshape(2, 2)
-        rays = [_rays(at, middle, sign, dark) for middle, sign in zip(middles, SIDES, strict=True)]
-        inner, thick = (np.stack([ray[k] for ray in rays]) for k in (0, 1))
-        if turn == ROUNDS and not dark:
-            told = thick[(np.abs(inner - radii) < SEEN_MM) & (thick < THICK_MM[1])]
-            across = float(np.clip(np.median(told), *THICK_MM)) if told.size else across
-        if turn >= ROUNDS and not dark:
-            inner = np.stack(
-                [_bands(at, middle, sign, radii, across) for middle, sign in zip(middles, SIDES, strict=True)]
-            )
-        if turn < 2 * ROUNDS:
-            radii, more = _fitted(inner, radii)
-            moved += more
-    if (np.abs(inner - radii) < SEEN_MM).any(axis=0).mean() < LEAST_SEEN:
+    if not dark:
+        across = _thickness_mm(at, eyes_mm, radii, moved)
+        radii, moved, told = _settled(
+            lambda middle, sign, rim: _bands(at, middle, sign, rim, across), eyes_mm, radii, moved
+        )
+    if (np.abs(told - radii) < SEEN_MM).any(axis=0).mean() < LEAST_SEEN:
         return None
     radii = radii + (-0.5 if dark else 0.5) * across
-    rim = radii[:, None] * _outwards()
-    high = float(rim[:, 1].max())
+    rim, middles = radii[:, None] * _outwards(), _middles(eyes_mm, moved)
+    usual = HINGE * float(rim[:, 1].max())
+    hinges = [_hinge_mm(at, middle, rim, sign, across, usual) for middle, sign in zip(middles, SIDES, strict=True)]
+    metre = m_from_mm(1.0)
     return FrameShape(
-        m_from_mm(1.0) * middles,
-        m_from_mm(1.0) * rim,
-        m_from_mm(across),
-        m_from_mm(1.0) * _bridge_mm(at, middles, rim, across),
-        m_from_mm(1.0) * np.stack([
-            _hinge_mm(at, middle, rim, sign, across, HINGE * high)
-            for middle, sign in zip(middles, SIDES, strict=True)
-        ]),
+        metre * middles,
+        metre * rim,
+        metre * across,
+        metre * _bridge_mm(at, middles, rim, across),
+        metre * np.stack(hinges),
         dark,
-    )  # fmt: skip
+    )
+
+
+def _middles(eyes_mm: Array, moved: Array) -> Array:
+    """Return (2, 2) the lenses' middles, mm, after they moved (4,) apart, up, aside and round."""
+    return np.asarray(eyes_mm + (MOVES @ moved).reshape(2, 2))
+
+
+def _settled(
+    read: Callable[[Array, float, Array], Array], eyes_mm: Array, radii_mm: Array, moved: Array
+) -> tuple[Array, Array, Array]:
+    """Return (RAYS,) the rim, (4,) how the lenses moved and (2, RAYS) what the rays told last, mm.
+
+    ``read`` gives what the rays of a lens tell by its middle, its side and the rim so far.
+    """
+    told = np.zeros((2, RAYS))
+    for _ in range(ROUNDS):
+        told = np.stack([
+            read(middle, sign, radii_mm) for middle, sign in zip(_middles(eyes_mm, moved), SIDES, strict=True)
+        ])  # fmt: skip
+        radii_mm, more = _fitted(told, radii_mm)
+        moved = moved + more
+    return radii_mm, moved, told
+
+
+def _thickness_mm(at: Reader, eyes_mm: Array, radii_mm: Array, moved: Array) -> float:
+    """Return the frame's thickness, mm: the median of the rays that meet it at the rim."""
+    rays = [_rays(at, middle, sign, False) for middle, sign in zip(_middles(eyes_mm, moved), SIDES, strict=True)]
+    inner, thick = (np.stack([ray[k] for ray in rays]) for k in (0, 1))
+    told = thick[(np.abs(inner - radii_mm) < SEEN_MM) & (thick < THICK_MM[1])]
+    return float(np.clip(np.median(told), *THICK_MM)) if told.size else USUAL_THICK_MM
 
 
 def _outwards() -> Array:

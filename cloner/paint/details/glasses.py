@@ -19,7 +19,7 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import swept
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import frame_of
-from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, hides_eyes
+from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, frame_reader, hides_eyes
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -84,10 +84,10 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
     eyes_mm = mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2]
     corner = (-REACH_MM[0], REACH_MM[1])
-    dark = hides_eyes(frame, corner, PIXEL_MM, eyes_mm)
+    dark = hides_eyes(frame_reader(frame, corner, PIXEL_MM), eyes_mm)
     if not dark:
         frame = _with_colours(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
-    shape = find_shape(frame, corner, PIXEL_MM, eyes_mm, dark=dark)
+    shape = find_shape(frame_reader(frame, corner, PIXEL_MM), eyes_mm, dark=dark)
     if shape is None:
         return None
     parts = _parts(generic, joined, shape)
