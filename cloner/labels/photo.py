@@ -14,6 +14,7 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.crops import head_crop, person_crop
 from cloner.labels.decoder import SIDE_PX, Scores, decoded, shares_of
+from cloner.labels.own_skin import without_strange_skin
 from cloner.labels.points import points_seen
 from cloner.records.labels import Label, shows
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
@@ -27,6 +28,7 @@ _CALIBRATED: Final = calibrated("labels.photo")
 
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float32]
+Points = NDArray[np.float64]
 Features = Callable[[Photo], Sequence[Floats]]
 
 #: Labels are decided at this long side, px; the photo's own pixels decide the outline and the hair's edge.
@@ -59,7 +61,7 @@ class Looks:
     near: Floats | None
     box: tuple[slice, slice] | None
     head: HeadFrame
-    seen_px: NDArray[np.float64]
+    seen_px: Points
 
     def person(self, shape: tuple[int, ...]) -> Floats:
         """Return (H, W) the probability that a pixel of the photo shows the person."""
@@ -75,8 +77,8 @@ def look(
     view: ViewId,
     features: Features,
     *,
-    face_points: NDArray[np.float64] | None = None,
-    pose_points: NDArray[np.float64] | None = None,
+    face_points: Points | None = None,
+    pose_points: Points | None = None,
 ) -> Looks:
     """Return what the label net sees in a photo: the person as a whole, and the head alone.
 
@@ -108,7 +110,7 @@ def look(
 
 
 def label_photo(
-    rgb: Photo, person: NDArray[np.bool_], looks: Looks, face_points: NDArray[np.float64] | None = None
+    rgb: Photo, person: NDArray[np.bool_], looks: Looks, face_points: Points | None = None, *, faced: bool = True
 ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
     """Return what every pixel of a photo shows, and how sure that is.
 
@@ -121,6 +123,8 @@ def label_photo(
         Of the same photo.
     face_points : (468, 2) float64, optional
         Face mesh in px.
+    faced : bool
+        False of a back.
 
     Returns
     -------
@@ -136,7 +140,8 @@ def label_photo(
         _draw_hair(labels, looks.near[Label.HAIR], rgb, person, box, looks.head, face_points)
     labels[~person] = Label.BACKGROUND
     labels = without_collars(labels, looks.head.chin_px)
-    return without_specks(labels, SPECK * looks.head.head_px**2), sure
+    labels = without_specks(labels, SPECK * looks.head.head_px**2)
+    return (without_strange_skin(rgb, labels, looks.seen_px, faced=faced) if len(looks.seen_px) else labels), sure
 
 
 def _scores(rgb: Photo, crop: Crop, features: Features) -> Scores:
@@ -225,7 +230,7 @@ def _draw_hair(
     person: NDArray[np.bool_],
     box: tuple[slice, slice],
     head: HeadFrame,
-    face_points: NDArray[np.float64] | None,
+    face_points: Points | None,
 ) -> None:
     """Redraw the hair's edge in the head's box along the photo's own colours, in place."""
     part = labels[box]

@@ -149,7 +149,7 @@ def _figure(
     mask = refine_mask(photo.rgb, rough, pose_px if photo.view.is_body and visibility.any() else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise nobody_in(photo)
-    labels, _ = label_photo(photo.rgb, mask > 0.5, looks, shown)
+    labels, _ = label_photo(photo.rgb, mask > 0.5, looks, shown, faced=photo.view is not ViewId.BODY_BACK)
     if shown is None and visibility.any():
         face = face_behind_hair(photo, pose_px, labels) or face
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)

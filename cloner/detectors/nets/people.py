@@ -39,8 +39,7 @@ DIM: Final = _CALIBRATED.number("dim", "score")
 CERTAIN: Final = _CALIBRATED.number("certain", "score")
 ROOM: Final = _CALIBRATED.number("room", "share")
 AT_EDGE: Final = _CALIBRATED.number("at_edge", "share")
-#: Of a standing figure's height from its top: the hips, the radius of the circle round the body, shoulders and nose.
-IN_MASK: Final = (0.5, 0.55, 0.2, 0.08)
+IN_MASK: Final = _CALIBRATED.quadruple("in_mask", "share")
 
 
 def _find_people(photo: Photo) -> list[Box]:
@@ -159,7 +158,8 @@ def pose_in_mask(rgb: Photo, inside: NDArray[np.bool_]) -> PoseResult | None:
     """
     rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
     height, across = float(np.ptp(rows)), 0.5 * float(columns[0] + columns[-1])
-    shares = np.array([IN_MASK[0], IN_MASK[0] - IN_MASK[1], *IN_MASK[2:]])
+    hips, radius, shoulders, nose = IN_MASK
+    shares = np.array([hips, hips - radius, shoulders, nose])
     points = np.column_stack([np.full(4, across), rows[0] + height * shares])
     edges = float(columns[0]), float(rows[0]), float(columns[-1]), float(rows[-1])
     box = Box("person", *edges, 1.0, points)
