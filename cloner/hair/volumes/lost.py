@@ -63,10 +63,8 @@ def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], mi
     middle = view.to_view(middle_m[None])
     scale = view.pixel_mm(middle)
     air = (view.outline_px <= 0.0) & (view.outline_px > -FAR_MM)
-    lost = np.zeros(air.shape, np.bool_)
-    rows, columns = np.flatnonzero(air.any(axis=1)), np.flatnonzero(air.any(axis=0))
-    if not rows.size:
-        return lost
+    lost, near = np.zeros(air.shape, np.bool_), air | view.hair
+    rows, columns = np.flatnonzero(near.any(axis=1)), np.flatnonzero(near.any(axis=0))
     box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
     asked = air[box] & looks_like(rgb[box], view.hair[box], BLUR_MM / scale)
     step = max(round(STEP_MM / scale), 1)
