@@ -13,6 +13,7 @@ from skimage.metrics import structural_similarity
 
 from cloner.geometry.meshes.alignment import similarity
 from cloner.records.arrays import Array
+from cloner.vision.segmentation.pieces import box_around
 
 Mask = NDArray[np.bool_]
 
@@ -155,8 +156,7 @@ def picture_similarity(
     """
     left = np.where(clone_mask[..., None], clone, _BACKDROP).astype(np.uint8)
     right = np.where(mask[..., None], photo, _BACKDROP).astype(np.uint8)
-    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
-    box = np.s_[max(rows[0] - 8, 0) : rows[-1] + 9, max(columns[0] - 8, 0) : columns[-1] + 9]
+    box = box_around(mask, 8)
     left, right, inside = left[box], right[box], mask[box]
     _, similar = structural_similarity(rgb2gray(left), rgb2gray(right), data_range=1.0, full=True)
     difference = deltaE_ciede2000(rgb2lab(left), rgb2lab(right))

@@ -13,6 +13,7 @@ from cloner.easing import smoothstep
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.records.arrays import Array
+from cloner.vision.segmentation.pieces import box_around
 
 Picture = NDArray[np.float32]
 
@@ -89,8 +90,7 @@ def grow_strands(
 
 def roughness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> Array:
     """Return (3,) the deviation of a photo's hair (H, W) from its surroundings, levels."""
-    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
-    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    box = box_around(hair)
     inner = hair[box].astype(np.float32)
     radius = max(ROUGH_SHARE * float(np.sqrt(inner.sum())), 2.0)
     part = rgb[box].astype(np.float32)
@@ -107,12 +107,12 @@ def curliness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> float:
 
     By the coherence of the structure tensor (J. Bigun, G. Granlund, 1987), on hair of one size in pixels.
     """
-    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
-    if not rows.size:
+    if not hair.any():
         return 0.0
-    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    box = box_around(hair)
     scale = min(WINDOW_PX / (WINDOW_SHARE * float(np.sqrt(hair.sum()))), 1.0)
-    size = max(round(columns.size * scale), 1), max(round(rows.size * scale), 1)
+    rows, columns = (np.count_nonzero(hair.any(axis=axis)) for axis in (1, 0))
+    size = max(round(columns * scale), 1), max(round(rows * scale), 1)
     grey = cv2.resize(cv2.cvtColor(rgb[box], cv2.COLOR_RGB2GRAY).astype(np.float32), size, interpolation=cv2.INTER_AREA)
     own = cv2.resize(hair[box].astype(np.uint8), size, interpolation=cv2.INTER_NEAREST)
     inner = cv2.erode(own, np.ones((7, 7), np.uint8), borderValue=0).astype(np.float32)  # not the outline

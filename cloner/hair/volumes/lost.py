@@ -15,7 +15,7 @@ from cloner.hair.volumes.views import SIDES, HairView
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.segmentation.pieces import pieces_of
+from cloner.vision.segmentation.pieces import box_around, pieces_of
 
 SURE_MM = 10.0  # so deep in the other photo's outline: heads turn between photos, and perspective widens what is near
 STEP_MM = 2.0  # apart, what is asked
@@ -63,15 +63,13 @@ def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], mi
     middle = view.to_view(middle_m[None])
     scale = view.pixel_mm(middle)
     air = (view.outline_px <= 0.0) & (view.outline_px > -FAR_MM)
-    lost, near = np.zeros(air.shape, np.bool_), air | view.hair
-    rows, columns = np.flatnonzero(near.any(axis=1)), np.flatnonzero(near.any(axis=0))
-    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    lost, box = np.zeros(air.shape, np.bool_), box_around(air | view.hair)
     asked = air[box] & looks_like(rgb[box], view.hair[box], BLUR_MM / scale)
     step = max(round(STEP_MM / scale), 1)
     coarse = np.argwhere(asked[::step, ::step])
     if not len(coarse):
         return lost
-    pixels = step * coarse[:, ::-1].astype(np.float64) + (columns[0], rows[0])
+    pixels = step * coarse[:, ::-1].astype(np.float64) + (box[1].start, box[0].start)
     points = view.to_rest(view.posed.camera.back_project(pixels, np.repeat(middle, len(pixels), axis=0)))
     told, judged = np.ones(len(points), np.bool_), np.zeros(len(points), np.bool_)
     for other in others:

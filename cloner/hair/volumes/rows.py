@@ -11,6 +11,7 @@ from cloner.hair.volumes.pictures import FAR_MM
 from cloner.hair.volumes.views import SIDES, HairView
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
+from cloner.vision.segmentation.pieces import box_around
 
 ROUND_MM = 70.0  # half a head's width: thick hair between the sides that show it is as round as a head
 LONGER = 1.25  # anatomy: heads are so much longer than wide, and so is hair of which no side photo tells
@@ -23,9 +24,8 @@ def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
     face in front of it does not make it thinner.
     """
     across = np.zeros((*hair.shape, 2), np.float32)
-    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
-    if rows.size:
-        box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    if hair.any():
+        box = box_around(hair)
         bare = np.pad(~hair[box], ((0, 0), (1, 1)), constant_values=True)
         place = np.arange(bare.shape[1], dtype=np.int32)
         before = np.maximum.accumulate(np.where(bare, place, 0), axis=1)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.vision.photographs.head_frame import face_organs
 from cloner.vision.segmentation.colours import colour_ratio, make_palette
+from cloner.vision.segmentation.pieces import box_around
 
 Floats = NDArray[np.float32]
 Flags = NDArray[np.bool_]
@@ -84,11 +85,9 @@ def sharpen_hair(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Fla
         Crown to chin.
     """
     found = np.where(person, hair, 0.0).astype(np.float32)
-    rows, columns = np.flatnonzero((found > 0.5).any(axis=1)), np.flatnonzero((found > 0.5).any(axis=0))
-    if not rows.size:
+    if not (found > 0.5).any():
         return found
-    air = int(TEACHERS * head_px) + 2
-    box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
+    box = box_around(found > 0.5, int(TEACHERS * head_px) + 2)
     part = np.ascontiguousarray(rgb[box])
     for _ in range(ROUNDS):
         found[box] = _round(part, found[box], person[box], never[box], head_px)

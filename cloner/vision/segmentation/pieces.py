@@ -10,6 +10,14 @@ Ints = NDArray[np.int32]
 Box = tuple[slice, slice]
 
 
+def box_around(mask: NDArray[np.bool_] | NDArray[np.uint8], air: int = 0) -> Box:
+    """Return the rows and columns around a mask (H, W), with so many pixels of air; without any pixel an empty box."""
+    left, top, width, height = cv2.boundingRect(mask.view(np.uint8))
+    if not width:
+        return np.s_[top:top, left:left]
+    return np.s_[max(top - air, 0) : top + height + air, max(left - air, 0) : left + width + air]
+
+
 def pieces_of(mask: NDArray[np.bool_] | NDArray[np.uint8]) -> tuple[Box, Ints, Ints]:
     """Return the box around a mask (H, W), its 8-connected pieces there and their figures.
 
@@ -24,11 +32,10 @@ def pieces_of(mask: NDArray[np.bool_] | NDArray[np.uint8]) -> tuple[Box, Ints, I
         the first row is what is outside.
     """
     shown = mask.view(np.uint8)
-    left, top, width, height = cv2.boundingRect(shown)
-    box = np.s_[top : top + height, left : left + width]
-    if not width:
+    box = box_around(shown)
+    if box[0].stop == box[0].start:
         return box, np.zeros((0, 0), np.int32), np.zeros((1, 5), np.int32)
     _, pieces, figures, _ = cv2.connectedComponentsWithStats(shown[box], connectivity=8)
-    figures[:, cv2.CC_STAT_LEFT] += left
-    figures[:, cv2.CC_STAT_TOP] += top
+    figures[:, cv2.CC_STAT_LEFT] += box[1].start
+    figures[:, cv2.CC_STAT_TOP] += box[0].start
     return box, np.asarray(pieces, np.int32), np.asarray(figures, np.int32)
