@@ -166,9 +166,9 @@ def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Par
     """Return both rims, the bridge, both temples, and both lenses where they are dark."""
     thick = 0.5 * shape.thick_m
     deep = max(DEEP_SHARE * thick, LEAST_DEEP_M)
-    length = arc_lengths(np.concatenate([shape.rim_m, shape.rim_m[:1]]))
-    even = np.linspace(0.0, length[-1], POINTS[0], endpoint=False)
-    rim = places_along(np.concatenate([shape.rim_m, shape.rim_m[:1]]), length, even)
+    closed = np.concatenate([shape.rim_m, shape.rim_m[:1]])
+    length = arc_lengths(closed)
+    rim = places_along(closed, length, np.linspace(0.0, length[-1], POINTS[0], endpoint=False))
     flat = [rim * (sign, 1.0) + middle for sign, middle in zip(SIDES, shape.middles_m, strict=True)]
     forward = _clearance_m(generic, joined, np.concatenate(flat), deep)
     lifted = [_on_plane(joined, one) + forward for one in flat]
@@ -177,23 +177,30 @@ def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Par
         swept(path, way, np.array([thick, deep]), closed=True)
         for path, way in zip(lifted, outward, strict=True)
     ]  # fmt: skip
-    inner = [_nearest_height(rim, shape.bridge_m[0], outer=False)] * 2
-    ends = np.stack([path[row] for path, row in zip(lifted, inner, strict=True)])
-    share = np.linspace(0.0, 1.0, POINTS[1])
-    bow = (1.0 - (2.0 * share - 1.0) ** 2)[:, None] * (0.0, *BRIDGE_M)
-    path = ends[0] + share[:, None] * (ends[1] - ends[0]) + bow
-    up = np.tile([0.0, 1.0, 0.0], (len(path), 1))
-    parts = [*rims, swept(path, up, np.array([0.5 * shape.bridge_m[1], deep]), closed=False)]
+    inner = _nearest_height(rim, shape.bridge_m[0], outer=False)
+    bridge = _bridge_path(*(path[inner] for path in lifted))
+    parts = [*rims, swept(bridge, _up(bridge), np.array([0.5 * shape.bridge_m[1], deep]), closed=False)]
     for side, (sign, middle, hinge, lens) in enumerate(
         zip(SIDES, shape.middles_m, shape.hinges_m, lifted, strict=True)
     ):
         row = _nearest_height(rim, float(hinge[1] - middle[1]), outer=True)
         way = _temple_path(generic, joined, lens[row], _on_plane(joined, hinge) + forward, "LR"[side], sign)
         tall = np.clip(thick, *TEMPLE_M)
-        parts.append(swept(way, np.tile([0.0, 1.0, 0.0], (len(way), 1)), np.array([tall, TEMPLE_WIDE_M]), closed=False))
+        parts.append(swept(way, _up(way), np.array([tall, TEMPLE_WIDE_M]), closed=False))
     if shape.dark:
         parts += [_disc(path) for path in lifted]
     return parts
+
+
+def _up(path_m: Array) -> Array:
+    """Return (K, 3) upward directions along a path."""
+    return np.tile([0.0, 1.0, 0.0], (len(path_m), 1))
+
+
+def _bridge_path(left_m: Array, right_m: Array) -> Array:
+    """Return points (K, 3) from one rim to the other, bowed over the nose."""
+    share = np.linspace(0.0, 1.0, POINTS[1])[:, None]
+    return np.asarray(left_m + share * (right_m - left_m) + (1.0 - (2.0 * share - 1.0) ** 2) * (0.0, *BRIDGE_M))
 
 
 def _nearest_height(rim_m: Array, height_m: float, *, outer: bool) -> int:
