@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.seen_points import NAMES
 from cloner.records.labels import GARMENTS, Label, shows
 from cloner.vision.retouching.evening import beyond_light, log_levels
-from cloner.vision.segmentation.pieces import pieces_of
+from cloner.vision.segmentation.pieces import box_around, pieces_of
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.own_skin")
@@ -41,26 +41,25 @@ def without_strange_skin(
     faced : bool
         Whether the photo may show the face: what is labelled so from behind is neck, ear or hair.
     """
-    rows = np.flatnonzero((labels != Label.BACKGROUND).any(axis=1))
-    skin = labels == Label.BODY_SKIN
-    if not rows.size or not skin.any():
-        return labels
-    figure = float(np.ptp(rows)) + 1.0
-    known = skin & _around(labels.shape, seen_px[WRISTS], HANDS * figure)
+    person = box_around(labels != Label.BACKGROUND)
+    figure, shown = float(person[0].stop - person[0].start), labels[person]
+    skin = shown == Label.BODY_SKIN
+    known = skin & _around(shown.shape, seen_px[WRISTS] - (person[1].start, person[0].start), HANDS * figure)
     if faced:
-        known |= labels == Label.FACE_SKIN
-    if np.count_nonzero(known) < SMALLEST * figure**2:
+        known |= shown == Label.FACE_SKIN
+    if np.count_nonzero(known) <= SMALLEST * figure**2:
         return labels
-    logs = np.asarray(log_levels(cv2.GaussianBlur(rgb, (0, 0), max(BLUR * figure, 0.5))), np.float64)
+    smooth = cv2.GaussianBlur(rgb[person], (0, 0), max(BLUR * figure, 0.5))
+    logs = np.asarray(log_levels(smooth), np.float64)
     own = np.median(logs[known], axis=0)
     found = labels.copy()
     box, pieces, figures = pieces_of(skin)
     for piece in np.flatnonzero(figures[1:, cv2.CC_STAT_AREA] >= SMALLEST * figure**2) + 1:
-        inside = np.zeros(labels.shape, np.bool_)
+        inside = np.zeros(shown.shape, np.bool_)
         inside[box] = pieces == piece
         colour = np.median(logs[inside], axis=0)
         if beyond_light(colour - own) > BEYOND:
-            found[inside] = _clothes_around(labels, logs, inside, colour, round(HANDS * figure))
+            found[person][inside] = _clothes_around(shown, logs, inside, colour, round(HANDS * figure))
     return found
 
 
