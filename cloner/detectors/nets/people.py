@@ -28,6 +28,7 @@ from cloner.detectors.nets.portraits import is_cut_below
 from cloner.detectors.nets.pose_passes import CONFIRMED, look, look_at_portrait
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.vision.photographs.crops import Crop
+from cloner.vision.segmentation.pieces import box_around
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.people")
@@ -156,11 +157,10 @@ def pose_in_mask(rgb: Photo, inside: NDArray[np.bool_]) -> PoseResult | None:
     PoseResult or None
         None where the pose net is not certain.
     """
-    rows, columns = np.flatnonzero(inside.any(axis=1)), np.flatnonzero(inside.any(axis=0))
-    height, across = float(np.ptp(rows)), 0.5 * float(columns[0] + columns[-1])
+    rows, columns = box_around(inside)
+    left, top, right, bottom = float(columns.start), float(rows.start), columns.stop - 1.0, rows.stop - 1.0
     hips, radius, shoulders, nose = IN_MASK
     shares = np.array([hips, hips - radius, shoulders, nose])
-    points = np.column_stack([np.full(4, across), rows[0] + height * shares])
-    edges = float(columns[0]), float(rows[0]), float(columns[-1]), float(rows[-1])
-    box = Box("person", *edges, 1.0, points)
+    points = np.column_stack([np.full(4, 0.5 * (left + right)), top + (bottom - top) * shares])
+    box = Box("person", left, top, right, bottom, 1.0, points)
     return detect_pose(rgb, box) if look(rgb, around_body(box), pose_net).score >= CERTAIN else None

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.pictures import FAR_MM, distances_px, looks_like
-from cloner.hair.volumes.views import SIDES, HairView
+from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.vision.retouching.aligning import sample
@@ -37,10 +37,10 @@ def with_lost_hair(views: list[HairView], photos: Mapping[ViewId, Photo], middle
     """
     found = []
     for view in views:
-        opposite = next((SIDES[2 - k] for k in (0, 2) if view.posed.view in SIDES[k]), ())
-        others = [one for one in views if one.posed.view in opposite]
-        if others and view.hair.any():
-            lost = lost_hair(view, photos[view.posed.view].rgb, others, middle_m)
+        name = view.posed.view
+        others = [one for one in views if not one.posed.view.is_side and one.posed.view.is_front != name.is_front]
+        if others and not name.is_side and view.hair.any():
+            lost = lost_hair(view, photos[name].rgb, others, middle_m)
             if lost.any():
                 whole = distances_px(view.hair | lost, (view.outline_px > 0.0) | lost)
                 view = replace(view, hair=whole[0], hair_px=whole[1], line_px=whole[2], outline_px=whole[3])

@@ -17,7 +17,7 @@ from cloner.records.clones import Joined
 from cloner.records.labels import Label
 from cloner.records.points import Proposal
 from cloner.vision.retouching.repair import nearest_known, signed_distance
-from cloner.vision.segmentation.pieces import pieces_of
+from cloner.vision.segmentation.pieces import box_around, pieces_of
 
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
@@ -69,11 +69,10 @@ def distances_px(
 
     They are counted around the hair only: most of a body photo is far from it.
     """
-    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
     to_hair, to_hairline, to_person = (np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
-    if rows.size:
-        air = int(NEAR_SHARE * max(np.ptp(rows), np.ptp(columns))) + 2
-        box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
+    if hair.any():
+        longest = max(side.stop - side.start for side in box_around(hair)) - 1
+        box = box_around(hair, int(NEAR_SHARE * longest) + 2)
         to_hair[box] = signed_distance(hair[box])
         to_hairline[box] = hairline(hair[box], person[box])
         to_person[box] = signed_distance(person[box])

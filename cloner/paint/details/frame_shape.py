@@ -91,6 +91,11 @@ def usual_rim_mm() -> Array:
     return np.asarray((across**SQUARE + up**SQUARE) ** (-1.0 / SQUARE))
 
 
+def picture_px(points_mm: Array, corner_mm: tuple[float, float], pixel_mm: float) -> Array:
+    """Return the pixels (..., 2) of points of the frame's plane, mm, in a picture as `frame_reader` takes it."""
+    return np.asarray((points_mm - corner_mm) * (1.0, -1.0) / pixel_mm)
+
+
 def frame_reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float) -> Reader:
     """Return what reads a picture of the frame's plane.
 
@@ -103,7 +108,7 @@ def frame_reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], p
     """
 
     def at(points_mm: Array) -> Array:
-        place = (points_mm - corner_mm) * (1.0, -1.0) / pixel_mm
+        place = picture_px(points_mm, corner_mm, pixel_mm)
         return np.nan_to_num(sample(picture, place.reshape(-1, 2))[:, 0]).reshape(place.shape[:-1]).astype(np.float64)
 
     return at
@@ -125,9 +130,8 @@ def find_shape(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
     dark : bool
         Whether the lenses count as frame.
     """
-    radii, moved, told = _settled(
-        lambda middle, sign, _: _rays(at, middle, sign, dark)[0], eyes_mm, usual_rim_mm(), np.zeros(4)
-    )
+    rays = _ends if dark else _starts
+    radii, moved, told = _settled(lambda middle, sign, _: rays(at, middle, sign), eyes_mm, usual_rim_mm(), np.zeros(4))
     across = USUAL_THICK_MM
     if not dark:
         across = _thickness_mm(at, eyes_mm, radii, moved)
@@ -175,9 +179,10 @@ def _settled(
 
 def _thickness_mm(at: Reader, eyes_mm: Array, radii_mm: Array, moved: Array) -> float:
     """Return the frame's thickness, mm: the median of the rays that meet it at the rim."""
-    rays = [_rays(at, middle, sign, False) for middle, sign in zip(_middles(eyes_mm, moved), SIDES, strict=True)]
-    inner, thick = (np.stack([ray[k] for ray in rays]) for k in (0, 1))
-    told = thick[(np.abs(inner - radii_mm) < SEEN_MM) & (thick < THICK_MM[1])]
+    runs = [_runs(at, middle, sign) for middle, sign in zip(_middles(eyes_mm, moved), SIDES, strict=True)]
+    first, last, met = (np.stack(each) for each in zip(*runs, strict=True))
+    thick = STEP_MM * (last - first)
+    told = thick[met & (np.abs(REACH_MM[first] - radii_mm) < SEEN_MM) & (thick < THICK_MM[1])]
     return float(np.clip(np.median(told), *THICK_MM)) if told.size else USUAL_THICK_MM
 
 
@@ -193,20 +198,24 @@ def _around(most_mm: float) -> Array:
     return np.asarray(points[np.hypot(points[:, 0], points[:, 1]) < most_mm])
 
 
-def _rays(at: Reader, middle_mm: Array, sign: float, dark: bool) -> tuple[Array, Array]:
-    """Return (RAYS,) where rays from a lens' middle meet frame, and how thick it is there, mm; NaN where they do not.
-
-    Of dark lenses the end is told instead.
-    """
+def _runs(at: Reader, middle_mm: Array, sign: float) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
+    """Return (RAYS,) the steps at which rays from a lens' middle enter and leave the first frame, and which do both."""
     frame = _profiles(at, middle_mm, sign) > 0.5
     first = frame.argmax(axis=1)
-    after = np.where(np.arange(len(REACH_MM)) > first[:, None], ~frame, False)
-    last = np.where(after.any(axis=1), after.argmax(axis=1), len(REACH_MM))
-    met = frame.any(axis=1) & after.any(axis=1)
-    if dark:
-        end = np.where(met & (first == 0), REACH_MM[np.minimum(last, len(REACH_MM) - 1)], np.nan)
-        return end, np.full(RAYS, np.nan)
-    return np.where(met, REACH_MM[first], np.nan), np.where(met, STEP_MM * (last - first), np.nan)
+    after = ~frame & (np.arange(len(REACH_MM)) > first[:, None])
+    return first, after.argmax(axis=1), frame.any(axis=1) & after.any(axis=1)
+
+
+def _starts(at: Reader, middle_mm: Array, sign: float) -> Array:
+    """Return (RAYS,) where rays meet the frame of a clear lens, mm; NaN where they do not."""
+    first, _, met = _runs(at, middle_mm, sign)
+    return np.where(met, REACH_MM[first], np.nan)
+
+
+def _ends(at: Reader, middle_mm: Array, sign: float) -> Array:
+    """Return (RAYS,) where rays leave a dark lens, mm; NaN where they do not."""
+    first, last, met = _runs(at, middle_mm, sign)
+    return np.where(met & (first == 0), REACH_MM[last], np.nan)
 
 
 def _bands(at: Reader, middle_mm: Array, sign: float, radii_mm: Array, across_mm: float) -> Array:
@@ -248,7 +257,10 @@ def _fitted(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
     usual = usual_rim_mm()
     if np.isfinite(told_mm).any():
         usual = usual * np.exp(np.nanmedian(np.log(told_mm / usual)))
-    waves = _waves()
+    turn = angles()
+    # without the first harmonic, which moves a rim as a whole
+    kept = [wave(k * turn) for k in range(2, HARMONICS + 1) for wave in (np.cos, np.sin)]
+    waves = np.column_stack([np.ones(RAYS), *kept])
     # apart, up, aside, round: on the right side, which is mirrored, the last two are the other way round
     along = np.column_stack([_outwards(), _outwards()])
     moves = [along, along * (1.0, 1.0, -1.0, -1.0)]
@@ -262,13 +274,6 @@ def _fitted(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
         rcond=None,
     )[0]
     return np.asarray(waves @ solved[:-4]), solved[-4:]
-
-
-def _waves() -> Array:
-    """Return (RAYS, W) the harmonics of a rim's radius; without the first, which moves a rim as a whole."""
-    turn = angles()
-    kept = [wave(k * turn) for k in range(2, HARMONICS + 1) for wave in (np.cos, np.sin)]
-    return np.column_stack([np.ones(RAYS), *kept])
 
 
 def _bridge_mm(at: Reader, middles_mm: Array, rim_mm: Array, across_mm: float) -> Array:

@@ -19,7 +19,7 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import swept
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import frame_of
-from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, frame_reader, hides_eyes
+from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, frame_reader, hides_eyes, picture_px
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -39,6 +39,7 @@ Part = tuple[Array, Array, NDArray[np.int64]]
 BEFORE_M, BEND_M, OFF_SKIN_M = 0.006, 0.16, 0.001
 #: What is looked at, mm from the nasion: left, right, up, down; and how finely.
 REACH_MM, PIXEL_MM = (80.0, 40.0, 45.0), 0.4
+CORNER_MM: Final = (-REACH_MM[0], REACH_MM[1])
 #: How much the labels say of what is frame; its colour says the rest (taste).
 LABELLED: Final = 0.4
 #: Lashes reach so far around the openings of the eyes, as a share of the eyes' span.
@@ -74,7 +75,7 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
         Of that photo.
     """
     view = joined.views[ViewId.FACE_FRONT]
-    head = generic.joint_names.index("skullbase")
+    head = generic.joint("skullbase")
     posed_from_rest = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)[head]
     labelled = frame_of(proposal)
     if not labelled.any():
@@ -83,11 +84,10 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     frame, colours = read(labelled.astype(np.float32))[..., 0], read(photo.rgb)
     eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
     eyes_mm = mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2]
-    corner = (-REACH_MM[0], REACH_MM[1])
-    dark = hides_eyes(frame_reader(frame, corner, PIXEL_MM), eyes_mm)
+    dark = hides_eyes(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm)
     if not dark:
         frame = _with_colours(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
-    shape = find_shape(frame_reader(frame, corner, PIXEL_MM), eyes_mm, dark=dark)
+    shape = find_shape(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm, dark=dark)
     if shape is None:
         return None
     parts = _parts(generic, joined, shape)
@@ -255,7 +255,7 @@ def _texture(shape: FrameShape, frame: NDArray[np.float32], colours: NDArray[np.
     """Return (S, T, 4) the colour of the frame, and below it that of dark lenses."""
 
     def median(flat_m: Array) -> NDArray[np.float32]:
-        place = (mm_from_m(1.0) * flat_m - (-REACH_MM[0], REACH_MM[1])) * (1.0, -1.0) / PIXEL_MM
+        place = picture_px(mm_from_m(1.0) * flat_m, CORNER_MM, PIXEL_MM)
         told = np.nan_to_num(sample(frame, place)[:, 0]) > 0.5
         shown = sample(colours, place[told] if told.any() else place)
         return np.asarray(np.nanmedian(shown, axis=0), np.float32)
