@@ -196,7 +196,9 @@ def run(
     params = Params()
     photos = outlined_photos(phenotype, silhouettes, proposals)
     if not photos:
-        return StageResult({"body": FineBody(rough_bodies.consensus)})
+        start, usual, _ = shaped_feet(rough_bodies.consensus, phenotype.sole_m, FeetParams())
+        shod = BodyMesh(sized_feet(start, usual, phenotype.sole_m), start.joints_m)
+        return StageResult({"body": FineBody(shod)})
     levels = (np.arange(params.slices) + 0.5) / params.slices
     sliced = []
     for main, body in ((ViewId.BODY_FRONT, rough_bodies.front_side), (ViewId.BODY_BACK, rough_bodies.back_side)):

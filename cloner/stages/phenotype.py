@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cloner.body.evidence import Evidence, Params, gather_evidence
-from cloner.body.footwear import FOOTWEAR, sole_height
+from cloner.body.footwear import FOOTWEAR, SHOES, sole_height
 from cloner.body.hair_height import hair_height_mm
 from cloner.body.model import WORN, Family, family
 from cloner.body.portrait import portrait_shape
@@ -60,7 +60,8 @@ def run(
     }
     if not evidence:
         guess = portrait_shape(generic, proposals)
-        return StageResult({"phenotype": Phenotype(guess, person.stature_m, 0.0, {}, _attributes(generic, guess))})
+        value = Phenotype(guess, person.stature_m, SHOES.sole_m[0], {}, _attributes(generic, guess))
+        return StageResult({"phenotype": value})
     barefoot = bool(np.mean([seen.barefoot for seen in evidence.values()]) > 0.5)
     body = family(generic, person.stature_m, barefoot=barefoot, shapes=max(params.shapes))
     state = solve(body, evidence, params, tick)

@@ -25,9 +25,12 @@ SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
 COLLAR_QUANTILE: Final = 0.9  # of the heights at which cloth is seen beside the neck
 NECK_SHARE: Final = 1.5  # of the neck's half width: collars stand around it
-SOFT_M: Final = 0.006  # a collar's edge fades over a vertex or two
+#: Over which heights a garment's edge rises from none to all: two edges of the skin's triangles, or its middle, where
+#: the surface changes its kind, would follow their zigzag.
+EDGE_M: Final = 0.03
 KEPT_M, PLAIN_M = 0.02, 0.10  # surfaces go on as seen for 2 cm, beyond 10 cm they are plain
 FALL: Final = 0.3  # taste: a shirt's front goes on downwards rather than sideways
+LASTING_M: Final = 0.05  # taste: what of a shirt's front is so high goes on downwards
 THROAT_M: Final = 0.04  # taste: skin goes on so far aside above skin: the throat, not the nape
 BELOW_SKIN_M: Final = 0.02  # a neckline lies so far below the lowest skin that is seen
 #: Levels of what no photo tells (taste): a shirt; trousers and shoes, which are never lighter than what is worn above.
@@ -64,15 +67,14 @@ def dress_unseen(
     if int(cloth.sum()) >= LEAST_CLOTH:
         ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare(generic, sources) < 0.5)
         ends = (ends.any(axis=0) | cloth) & _beside_neck(generic, vertices_m) & ~generic.region("scalp")
-        collar = float(np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE))
+        collar_m = np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE)
         shoulders = _shown(sources) & kinds.skin & ~_beside_neck(generic, vertices_m) & ~generic.segment("head")
         if int(shoulders.sum()) < LEAST_CLOTH:  # a neckline that is low in front is not behind
-            collar = max(collar, _neck_base_m(generic, vertices_m))
+            collar_m = np.maximum(collar_m, _neck_base_m(generic, vertices_m))
     else:
-        collar, covered = _neckline(generic, sources, kinds, vertices_m)
-    below = covered * np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
-    below[_above_skin(generic, sources, kinds, vertices_m, graph)] = 0.0
-    worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, below)
+        collar_m, covered = _neckline(generic, sources, kinds, vertices_m)
+    below = np.minimum(_rising(collar_m - vertices_m[:, 1]), _beyond_skin(generic, sources, kinds, vertices_m, graph))
+    worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, covered * below)
     worn[np.concatenate(hands_beyond_cuffs(generic))] = 0.0
     return replace(kinds, bare=1.0 - worn, worn=worn)
 
@@ -110,10 +112,11 @@ def clothe_beyond(
     else:
         plain = _garment_colour(sources, base[0][skin])
         found[2] = np.where(seen[:, None] & (kinds.worn > 0.5)[:, None], base[2], plain)
-    waist_m = vertices_m[generic.segment("pelvis"), 1].max()
-    legs = _any_segment(generic, ("pelvis", "thigh", "calf")) & (vertices_m[:, 1] < waist_m)
-    for part, dark in ((legs, TROUSERS), (_any_segment(generic, ("foot",)), SHOES)):
-        found[2][part & ~seen] = np.minimum(plain, dark)
+    arms = _any_segment(generic, ("arm", "hand"))
+    for ends, dark in (("pelvis", TROUSERS), ("foot", SHOES)):
+        top_m = vertices_m[_any_segment(generic, (ends,)), 1].max() - 0.5 * EDGE_M
+        share = np.where(seen | arms, 0.0, _rising(top_m - vertices_m[:, 1]))[:, None]
+        found[2] += share * (np.minimum(plain, dark) - found[2])
     return found
 
 
@@ -130,38 +133,49 @@ def _shown_cloth(sources: list[Source], kinds: Materials) -> NDArray[np.bool_]:
     return np.asarray(_shown(sources) & (kinds.worn > 0.5), bool)
 
 
-def _neck_base_m(generic: GenericHuman, vertices_m: Array) -> float:
-    return float(vertices_m[generic.region("neck"), 1].min())
+def _rising(inside_m: Array) -> Array:
+    """Return 0 outside a garment, 1 inside, by how far inside its edge something lies, metres."""
+    return np.asarray(np.clip(0.5 + inside_m / EDGE_M, 0.0, 1.0))
+
+
+def _neck_base_m(generic: GenericHuman, vertices_m: Array) -> Array:
+    """Return (V,) the height of a plain neckline there, metres: a plane through the throat's pit and the nape."""
+    neck = vertices_m[generic.region("neck")]
+    before = neck[:, 2] > neck[:, 2].mean()
+    pit, nape = (half[half[:, 1].argmin()] for half in (neck[before], neck[~before]))
+    back = np.clip((pit[2] - vertices_m[:, 2]) / (pit[2] - nape[2]), 0.0, 1.0)
+    return np.asarray(pit[1] + (nape[1] - pit[1]) * back)
 
 
 def _neckline(
     generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array
-) -> tuple[float, NDArray[np.bool_]]:
-    """Return the height of a shirt's upper edge that covers nothing seen bare, metres, and what (V,) it may cover."""
-    neck_m = _neck_base_m(generic, vertices_m)
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Return (V,) the height of a shirt's upper edge, metres, that covers nothing seen bare, and what it may cover."""
+    base_m = _neck_base_m(generic, vertices_m)
     bare = vertices_m[_shown(sources) & (kinds.bare > 0.5) & ~generic.segment("head"), 1]
-    lowest_m = float(bare.min()) - BELOW_SKIN_M if bare.size else neck_m
-    if lowest_m >= neck_m:
-        return neck_m, np.ones(len(vertices_m), bool)
-    return lowest_m, ~_any_segment(generic, ("arm", "hand"))
+    lowest_m = bare.min(initial=np.inf) - BELOW_SKIN_M
+    if lowest_m >= base_m.min():
+        return base_m, np.ones(len(vertices_m), bool)
+    return np.full(len(vertices_m), lowest_m), ~_any_segment(generic, ("arm", "hand"))
 
 
-def _above_skin(
+def _beyond_skin(
     generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph
-) -> NDArray[np.bool_]:
-    """Return (V,) what lies close to skin that is seen, or above it at the neck: a throat in the chin's shade."""
+) -> Array:
+    """Return (V,) 0 close to skin that is seen, and above it at the neck, a throat in the chin's shade; 1 beyond."""
     bare = _shown(sources) & (kinds.bare > 0.5)
-    found = graph.distance_from(bare, KEPT_M) < KEPT_M
+    found = _rising(graph.distance_from(bare, KEPT_M + EDGE_M) - KEPT_M)
     low = np.flatnonzero(bare & ~generic.segment("head"))
     rows = np.flatnonzero(
-        ~found & _beside_neck(generic, vertices_m) & (vertices_m[:, 1] > vertices_m[low, 1].min(initial=np.inf))
+        (found > 0.0) & _beside_neck(generic, vertices_m) & (vertices_m[:, 1] > vertices_m[low, 1].min(initial=np.inf))
     )
     if rows.size:
         below = cKDTree(vertices_m[low][:, [0, 2]]).query_ball_point(vertices_m[rows][:, [0, 2]], THROAT_M)
-        found[rows] = [
+        throat = [
             vertices_m[low[near], 1].min(initial=np.inf) < height
             for near, height in zip(below, vertices_m[rows, 1], strict=True)
         ]
+        found[rows[throat]] = 0.0
     return found
 
 
@@ -190,13 +204,16 @@ def _fall(
 ) -> tuple[NDArray[np.float32], Array]:
     """Return (V, 3) the colour of the cloth seen above each vertex, and (V,) how far aside that is, metres.
 
-    Only the trunk's goes on downwards; for all else what is above is far.
+    Only the trunk's goes on downwards, and of it only what is seen to go on: no badge. For all else what is above
+    is far.
     """
     place = vertices_m * (1.0, FALL, 1.0)
     rows = np.flatnonzero(seen)
     near = rows[cKDTree(place[rows]).query(place)[1]]
+    above = rows[cKDTree(vertices_m[rows]).query(vertices_m[near] + (0.0, LASTING_M, 0.0))[1]]
+    lasting = goes_on(cloth_rgb[near], log_levels(cloth_rgb[above]), AS_SKIN)
     aside = np.linalg.norm((vertices_m - vertices_m[near])[:, [0, 2]], axis=1)
-    return cloth_rgb[near], np.where(_any_segment(generic, ("torso", "pelvis")), aside, PLAIN_M)
+    return cloth_rgb[near], np.where(_any_segment(generic, ("torso", "pelvis")) & lasting, aside, PLAIN_M)
 
 
 def _far(away_m: Array) -> Array:

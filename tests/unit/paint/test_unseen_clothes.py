@@ -11,6 +11,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import photo_shares
+from cloner.geometry.meshes.triangles import edges_of
 from cloner.paint.details.unseen_clothes import SHIRT, clothe_beyond, dress_unseen
 from cloner.paint.lookups.materials import find_materials, hands_beyond_cuffs
 from cloner.records.labels import Label
@@ -64,7 +65,32 @@ def test_a_throat_in_the_chin_s_shade_is_no_collar(person):
     source.score[shade] = 0.0
     kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
     assert shade.sum() > 10
-    assert kinds.worn[shade].max() < 0.05
+    assert kinds.worn[shade].max() < 0.15
+
+
+def test_a_neckline_that_no_photo_shows_is_no_zigzag_and_leaves_no_shoulder_bare(person):
+    generic, vertices, graph = person
+    source = portrait(generic, vertices, 0.0)
+    source.score[vertices[:, 1] < vertices[generic.region("neck"), 1].max()] = 0.0  # the photo ends at the chin
+    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
+    shoulders = generic.segment("torso") & (np.abs(vertices[:, 0]) > 0.10)
+    assert kinds.worn[shoulders].min() == 1.0
+    edges = edges_of(generic.triangles()[0])[0]
+    edges = edges[(kinds.worn[edges] > 0.5).sum(axis=1) == 1]
+    trunk = edges[generic.segment("torso")[edges].all(axis=1)]
+    assert len(trunk) > 20
+    assert np.median(np.ptp(kinds.worn[trunk], axis=1)) < 0.6, "the edge lies between vertices, not along them"
+
+
+def test_only_what_is_seen_to_go_on_of_a_shirt_s_front_goes_on(person):
+    generic, vertices, _ = person
+    collar = float(vertices[generic.region("neck"), 1].min()) + 0.01
+    seen_low = vertices[:, 1:2] < collar - 0.09
+    badge = seen_low & (np.abs(vertices[:, :1]) < 0.05) & (vertices[:, 2:] > 0.0)
+    found, seen = clothed(person, collar, np.where(badge, 240.0, 30.0) * np.ones(3))
+    waist = vertices[generic.segment("pelvis"), 1].max()
+    below = (vertices[:, 1] > waist) & (vertices[:, 1] < vertices[seen, 1].min() - 0.12)
+    assert found[2, below & generic.segment("torso")].max() < 60.0
 
 
 def test_a_neckline_that_is_low_in_front_is_not_behind(person):
@@ -108,6 +134,7 @@ def test_cloth_far_from_the_photo_has_the_shirt_s_colour_not_the_collar_s(person
     cloth = np.where(vertices[:, 1:2] > collar - 0.02, 250.0, 90.0) * np.ones(3)
     found, _ = clothed(person, collar, cloth)
     behind = generic.segment("torso") & (vertices[:, 2] < -0.08) & (vertices[:, 1] < collar - 0.3)
+    behind &= vertices[:, 1] > vertices[generic.segment("pelvis"), 1].max()
     assert behind.any()
     assert np.allclose(found[2, behind], 90.0, atol=1.0)
 
@@ -129,7 +156,8 @@ def test_a_shirt_s_front_goes_on_down_to_the_waist_above_dark_trousers_and_shoes
 
 def test_cloth_that_lies_on_no_surface_still_tells_the_shirt_s_colour(person):
     generic, vertices, _ = person
-    chest = generic.segment("torso") & (vertices[:, 2] < -0.05)
+    waist = vertices[generic.segment("pelvis"), 1].max()
+    chest = generic.segment("torso") & (vertices[:, 2] < -0.05) & (vertices[:, 1] > waist)
     found, _ = clothed(person, 0.0, 99.0, labels=Label.UPPER_CLOTHES)
     assert np.allclose(found[2, chest], (40, 90, 160), atol=1.0)
     found, _ = clothed(person, 0.0, 99.0)
