@@ -76,16 +76,8 @@ def shown_skin() -> NDArray[np.int32]:
 
 def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, float]:
     """Return the errors of a head (V, 3) in any rigid place, mm; ``size`` is its scale error in percent."""
-    names = [n for n in LANDMARKS if n in measure.marks]
-    own = vertices[[generic.feature(n) for n in names]]
-    true = np.array([measure.marks[n] for n in names])
-    placed = apply(fit_similarity(own, true, scale=False), vertices)
-    marks = np.linalg.norm(placed[[generic.feature(n) for n in names]] - true, axis=1)
-    out = {
-        "landmarks_mean_mm": 1e3 * float(marks.mean()),
-        "landmarks_worst_mm": 1e3 * float(marks.max()),
-        "landmarks_free_mm": 1e3 * _free_of_size(own, true),
-    }
+    _, own, true = _marks(vertices, measure, generic)
+    placed, out = _placed(vertices, own, true)
     skin = shown_skin()
     surface = TriangleSurface(placed, skin)
     samples, directions, _ = sample_surface(placed, skin, DISCS, rng=np.random.default_rng(0))
@@ -105,16 +97,26 @@ def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, f
     return out
 
 
-def _free_of_size(own: Array, true: Array) -> float:
-    """Return the mean distance of landmarks after an alignment that scales, metres."""
-    return float(np.linalg.norm(apply(fit_similarity(own, true, scale=True), own) - true, axis=1).mean())
+def _marks(vertices: Array, measure: Ruler, generic: GenericHuman) -> tuple[list[str], Array, Array]:
+    """Return the landmarks that the ruler has: names, places (N, 3) on the head and true ones."""
+    names = [n for n in LANDMARKS if n in measure.marks]
+    return names, vertices[[generic.feature(n) for n in names]], np.array([measure.marks[n] for n in names])
+
+
+def _placed(vertices: Array, own: Array, true: Array) -> tuple[Array, dict[str, float]]:
+    """Return the head (V, 3) moved rigidly to the true landmarks, and how far its own lie off there, mm."""
+    rigid, sized = (fit_similarity(own, true, scale=scale) for scale in (False, True))
+    away, free = (1e3 * np.linalg.norm(apply(transform, own) - true, axis=1) for transform in (rigid, sized))
+    return apply(rigid, vertices), {
+        "landmarks_mean_mm": float(away.mean()),
+        "landmarks_worst_mm": float(away.max()),
+        "landmarks_free_mm": float(free.mean()),
+    }
 
 
 def worst_landmark(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, float]:
     """Return the distance of every landmark after rigid alignment on all, mm."""
-    names = [n for n in LANDMARKS if n in measure.marks]
-    own = vertices[[generic.feature(n) for n in names]]
-    true = np.array([measure.marks[n] for n in names])
+    names, own, true = _marks(vertices, measure, generic)
     away = np.linalg.norm(apply(fit_similarity(own, true, scale=False), own) - true, axis=1)
     return {name: 1e3 * float(value) for name, value in zip(names, away, strict=True)}
 
@@ -150,16 +152,8 @@ def _rank(distances: Sequence[float], own: int) -> int:
 
 def other_person(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, float]:
     """Return the errors of somebody else's head; the true points alone are asked, which is enough for a baseline."""
-    names = [n for n in LANDMARKS if n in measure.marks]
-    own = vertices[[generic.feature(n) for n in names]]
-    true = np.array([measure.marks[n] for n in names])
-    placed = apply(fit_similarity(own, true, scale=False), vertices)
-    marks = np.linalg.norm(placed[[generic.feature(n) for n in names]] - true, axis=1)
-    out = {
-        "landmarks_mean_mm": 1e3 * float(marks.mean()),
-        "landmarks_worst_mm": 1e3 * float(marks.max()),
-        "landmarks_free_mm": 1e3 * _free_of_size(own, true),
-    }
+    _, own, true = _marks(vertices, measure, generic)
+    placed, out = _placed(vertices, own, true)
     surface = TriangleSurface(placed, shown_skin())
     samples, directions, _ = sample_surface(placed, shown_skin(), DISCS, rng=np.random.default_rng(0))
     discs = PointSurface(samples, directions, radius=0.003)
