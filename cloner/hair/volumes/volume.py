@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.frames import m_from_mm, mm_from_m
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, believed_votes, hairline_mm, surface_mm
+from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, VOTE_MM, Scalp, believed_votes, hairline_mm, surface_mm
 from cloner.hair.volumes.gaps import without_gaps
 from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m, usual_width_m
 from cloner.hair.volumes.pictures import FAR_MM
@@ -106,6 +106,20 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     return np.asarray(field, np.float32)
 
 
+def lying_mm(views: list[HairView], lain: Near) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that lies on neck, shoulders and back, mm: no wider than body photos show hair.
+
+    Photos vote on the skin, but none sees the top of a shoulder well: a side photo of the face, in which shoulders
+    hang in no known pose, may show the hair behind it in its place.
+    """
+    field = cap_mm(views, lain)
+    across = [view for view in views if view.posed.view in (ViewId.BODY_FRONT, ViewId.BODY_BACK)]
+    rows = np.flatnonzero(field > -CLIP_MM)
+    wide = hull_mm(across, above_skin(lain, rows))
+    field[rows] = np.where(wide > -FAR_MM, np.minimum(field[rows], wide + VOTE_MM), field[rows])
+    return field
+
+
 def lying_near(body: tuple[Array, Array], votes: Array, points_m: Array) -> Near:
     """Return points against hair that lies on the body, as thick everywhere: photos that see it say where it is."""
     skin, rows, weight = surface_mm(*body, points_m)
@@ -139,13 +153,18 @@ def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray
     return field
 
 
+def above_skin(near: Near, rows: NDArray[np.int64]) -> Array:
+    """Return (R, 3) where labels are read for some points: there, or as near to the skin as hair's surface is."""
+    lift = m_from_mm(1.0) * (np.minimum(near.skin_mm[rows], LIFT_MM) - near.skin_mm[rows])
+    return np.asarray(near.points_m[rows] + near.outward[rows] * lift[:, None])
+
+
 def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) -> NDArray[np.float32]:
     """Return (R,) distance along the skin to the hairline of some points, mm, positive on the hair's side.
 
     Labels are read a little above the skin, also for points below it.
     """
-    lift = m_from_mm(1.0) * (np.minimum(near.skin_mm[rows], LIFT_MM) - near.skin_mm[rows])
-    read = near.points_m[rows] + near.outward[rows] * lift[:, None]
+    read = above_skin(near, rows)
     votes = near.votes[:, rows]
     line = np.zeros(rows.size, np.float32)
     for view, vote in zip(views, votes, strict=True):
@@ -208,7 +227,7 @@ def hair_field(
     skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
     grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
     hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp), usual_width_m(scalp), hang_below_m)
-    hanging = np.where(low, np.maximum(hanging, cap_mm(views, lain)), hanging)
+    hanging = np.where(low, np.maximum(hanging, lying_mm(views, lain)), hanging)
     if tail is not None:
         grown = np.maximum(grown, tail_mm(views, tail, points))
         hanging = np.where(tail.holds(points), -CLIP_MM, hanging)

@@ -14,14 +14,14 @@ def sphere():
     return np.asarray(mesh.vertices), np.asarray(mesh.faces)
 
 
-def settled(sphere, gap, *, anchor=1e-4, slope=1.0, weight=1.0):
-    """Return heights after a front photo wants its rim (near z = 0) moved by ``gap``."""
+def settled(sphere, gap, *, anchor=1e-4, slope=1.0, weight=1.0, doubt=np.inf):
+    """Return heights after a front photo wants its rim (near z = 0) moved by ``gap``, one number or one each."""
     vertices, triangles = sphere
     rows = np.flatnonzero(np.abs(vertices[:, 2]) < 0.05)
     ones = np.ones(len(rows))
     heights = settle(
         rows, slope * ones, gap * ones, weight * ones, bending_matrix(triangles, len(vertices)),
-        stiffness=1.0, anchor=np.full(len(vertices), anchor),
+        stiffness=1.0, anchor=np.full(len(vertices), anchor), doubt_m=doubt,
     )  # fmt: skip
     return heights, rows
 
@@ -56,6 +56,17 @@ def test_a_slope_of_half_needs_twice_the_height(sphere):
 def test_a_strong_anchor_holds(sphere):
     heights, _ = settled(sphere, 0.1, anchor=1e4)
     assert np.abs(heights).max() < 1e-4
+
+
+def test_what_stands_out_of_all_around_is_left_out(sphere):
+    vertices, _ = sphere
+    rows = np.flatnonzero(np.abs(vertices[:, 2]) < 0.05)
+    beside = vertices[rows, 0] > 0.98
+    wanted = np.where(beside, 0.4, 0.02)
+    heights, _ = settled(sphere, wanted, doubt=0.02)
+    assert 0 < beside.sum() < 0.2 * len(rows)
+    assert heights[rows] == pytest.approx(np.full(len(rows), 0.02), abs=0.01)
+    assert settled(sphere, wanted)[0][rows[beside]].min() > 0.1, "least squares follow it"
 
 
 def test_bending_is_blind_to_a_constant_and_sees_a_bump(sphere):
