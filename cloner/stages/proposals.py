@@ -209,9 +209,9 @@ def _stands(inside: NDArray[np.bool_]) -> bool:
 def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]) -> Proposals:
     """Return all proposals, with those of photos in which no net sees anybody, by what the other photos tell.
 
-    A side photo of the face may show hair, a hood or a cap alone. It is kept for what its mask tells when somebody is
-    made out in it and its colours are the person's; with one of both it is left out. So are a side photo of hair that
-    may as well be a back, and a body photo from side or back in which only the label net sees somebody stand.
+    A side photo of the face may show hair or a hood alone. It is kept for its mask when somebody is made out in it and
+    its colours are the person's; with one of both it is left out. So are a face behind hair beside the body's front, a
+    side that may as well be a back, and a body's side or back in which only the label net sees somebody stand.
 
     Raises
     ------
@@ -221,11 +221,11 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
     others = [(photos.photos[view].rgb, proposal.mask > 127) for view, proposal in views.items()]
     found, left_out = dict(views), dict[ViewId, str]()
     for view, error in unseen.items():
-        photo = photos.photos[view]
-        figure = find_hidden_figure(photo) if view is ViewId.FACE_SIDE else None
-        alike = view is ViewId.FACE_SIDE and shares_colours(photo.rgb, others) >= SOMEBODY
+        photo, close = photos.photos[view], view.is_face and (view.is_side or ViewId.BODY_FRONT in views)
+        figure = find_hidden_figure(photo) if close else None
+        alike = close and shares_colours(photo.rgb, others) >= SOMEBODY
         stands = view in (ViewId.BODY_SIDE, ViewId.BODY_BACK) and standing_mask(photo) is not None
-        if figure is not None and alike:
+        if figure is not None and alike and view.is_side:
             found[view] = propose_within(photo, figure)
         elif figure is not None or alike or stands:
             left_out[view] = HIDDEN

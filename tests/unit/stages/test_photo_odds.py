@@ -148,6 +148,23 @@ def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch,
     check_photos(found, pictures)  # an unseen pose is no reason to refuse
 
 
+@pytest.mark.parametrize("body", [True, False])
+def test_a_face_behind_hair_is_left_out_beside_the_front_of_the_body_and_refused_alone(monkeypatch, body):
+    hair = (70, 45, 30)
+    front, mask = portrait(hair)
+    other = FRONT if body else FACE_SIDE
+    pictures = studio.photo_set({other: front, FACE: portrait(hair, wall=(200, 200, 190))[0]})
+    _seeing(monkeypatch, mask.astype(np.float32))
+    known, unseen = {other: studio.empty_proposal(other, mask)}, {FACE: nobody_in(pictures.photos[FACE])}
+    if body:
+        found = settle_hidden(pictures, known, unseen)
+        assert set(found.views) == {FRONT}
+        assert dict(found.left_out) == {FACE: HIDDEN}
+    else:
+        with pytest.raises(NobodySeen):
+            settle_hidden(pictures, known, unseen)
+
+
 def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face_refused():
     proposal, given = seen(FACE)
     bare = proposal.labels.copy()
