@@ -115,7 +115,10 @@ def lying_mm(views: list[HairView], lain: Near) -> NDArray[np.float32]:
     field = cap_mm(views, lain)
     across = [view for view in views if view.posed.view in (ViewId.BODY_FRONT, ViewId.BODY_BACK)]
     rows = np.flatnonzero(field > -CLIP_MM)
-    wide = hull_mm(across, above_skin(lain, rows))
+    if not rows.size:
+        return field
+    above_m = m_from_mm(1.0) * (LIFT_MM - lain.skin_mm[rows])
+    wide = hull_mm(across, lain.points_m[rows] + above_m[:, None] * lain.outward[rows])
     field[rows] = np.where(wide > -FAR_MM, np.minimum(field[rows], wide + VOTE_MM), field[rows])
     return field
 
@@ -153,18 +156,13 @@ def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray
     return field
 
 
-def above_skin(near: Near, rows: NDArray[np.int64]) -> Array:
-    """Return (R, 3) where labels are read for some points: there, or as near to the skin as hair's surface is."""
-    lift = m_from_mm(1.0) * (np.minimum(near.skin_mm[rows], LIFT_MM) - near.skin_mm[rows])
-    return np.asarray(near.points_m[rows] + near.outward[rows] * lift[:, None])
-
-
 def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) -> NDArray[np.float32]:
     """Return (R,) distance along the skin to the hairline of some points, mm, positive on the hair's side.
 
     Labels are read a little above the skin, also for points below it.
     """
-    read = above_skin(near, rows)
+    lift = m_from_mm(1.0) * (np.minimum(near.skin_mm[rows], LIFT_MM) - near.skin_mm[rows])
+    read = near.points_m[rows] + near.outward[rows] * lift[:, None]
     votes = near.votes[:, rows]
     line = np.zeros(rows.size, np.float32)
     for view, vote in zip(views, votes, strict=True):

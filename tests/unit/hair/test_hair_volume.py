@@ -14,6 +14,7 @@ from cloner.hair.volumes.volume import (
     TAIL_DOUBT_MM,
     _held_by,
     cap_mm,
+    lying_mm,
     lying_near,
     near_skin,
     overhang_mm,
@@ -149,6 +150,30 @@ def test_hair_that_a_photo_shows_on_the_back_lies_on_it_as_a_film():
     field = cap_mm([seen], lying_near(body, np.ones((1, len(back))), points))
     assert np.array_equal(field > 0.0, [True, True, False, False, False, False])
     np.testing.assert_allclose(field[1:3], [0.5 * LYING_MM, -0.5 * LYING_MM], atol=0.1)
+
+
+@pytest.mark.parametrize(("view", "bounded"), [(ViewId.BODY_BACK, True), (ViewId.FACE_SIDE, False)])
+def test_hair_that_lies_on_shoulders_is_no_wider_than_a_photo_of_the_back_shows_it(view, bounded):
+    """A level skin that one photo calls hair; another shows hair within 40 mm of its middle, and nothing hides it."""
+    row, column = np.mgrid[-10:11, -10:11]
+    skin = 0.01 * np.stack([column, row, np.zeros_like(row)], axis=-1).reshape(-1, 3)
+    votes = np.stack([np.ones(len(skin)), np.zeros(len(skin))])
+    camera = SimpleNamespace(project=lambda at: 100.0 + 1000.0 * at[:, :2])
+
+    def photo(of):
+        return SimpleNamespace(
+            posed=SimpleNamespace(view=of, camera=camera),
+            line_px=np.full((201, 201), 100.0, np.float32),
+            to_view=lambda at: at,
+            pixel_mm=lambda at: 1.0,
+            evidence=lambda at: (40.0 - 1000.0 * np.abs(at[:, 0]), at[:, 2] > 0.0),
+        )
+
+    points = np.array([[x, 0.0, z] for x in (0.0, 0.08) for z in (-0.002, 0.5e-3 * LYING_MM)])
+    field = lying_mm(
+        [photo(ViewId.FACE_SIDE), photo(view)], lying_near((skin, np.tile([0.0, 0.0, 1.0], (441, 1))), votes, points)
+    )
+    assert np.array_equal(field > 0.0, [True, True, not bounded, not bounded])
 
 
 @pytest.mark.parametrize(("longer", "kept"), [(False, False), (True, True)])
