@@ -66,7 +66,7 @@ class Params:
     settle_reach_mm: tuple[float, ...] = _CALIBRATED.triple("settle_reach_mm", "mm")
     stiffness: float = _CALIBRATED.number("stiffness", "factor")
     anchor: float = _CALIBRATED.number("anchor", "factor")
-    doubt_mm: float = _CALIBRATED.number("doubt_mm", "mm")
+    doubt_mm: tuple[float, float] = _CALIBRATED.pair("doubt_mm", "mm")
     direction_turns: int = 20
 
 
@@ -152,7 +152,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         bending_matrix(triangles, len(mesh.vertices_m)),
         stiffness=params.stiffness,
         anchor=anchor,
-        doubt_m=m_from_mm(params.doubt_mm),
+        doubt_m=(m_from_mm(params.doubt_mm[0]), m_from_mm(params.doubt_mm[1])),
     )
     moved = mesh.vertices_m + np.clip(heights, -0.05, 0.05)[:, None] * ways
     return BodyMesh(unfolded(mesh.vertices_m, moved, triangles), mesh.joints_m)

@@ -71,12 +71,13 @@ def settle(
     *,
     stiffness: Array | float,
     anchor: Array,
-    doubt_m: float,
+    doubt_m: tuple[float, float],
 ) -> Array:
     """Return the (V,) heights h that minimise Σ w ρ(slope·h − gap) + stiffness |L h|² + Σ anchor h².
 
     ρ is Geman and McClure's: what stands beside somebody and counts as them contradicts the outlines of other photos
-    or the skin around it, and is left out. It is found from the squares' minimum by reweighting.
+    or the skin around it, and is left out. That happens oftener than that somebody's part counts as the room, so of two
+    that contradict each other the inner one is believed. Found from the squares' minimum by reweighting.
 
     Parameters
     ----------
@@ -87,15 +88,16 @@ def settle(
     bending : (V, V) from :func:`bending_matrix`
     stiffness : float
     anchor : (V,) pull towards zero
-    doubt_m : float
-        Of an observation that lies so far off only a quarter counts.
+    doubt_m : (float, float)
+        Of an observation that lies so far outside or inside only a quarter counts.
     """
     count = bending.shape[0]
     believed = weight
     heights = np.zeros(count)
     for turn in range(DOUBTING_TURNS + 1):
         if turn:
-            believed = weight / (1.0 + ((slope * heights[rows] - gap) / doubt_m) ** 2) ** 2
+            away = gap - slope * heights[rows]
+            believed = weight / (1.0 + (away / np.where(away * slope > 0.0, *doubt_m)) ** 2) ** 2
         data = np.bincount(rows, believed * slope * slope, count)
         right = np.bincount(rows, believed * slope * gap, count)
         matrix = (stiffness * bending + sparse.diags(data + anchor)).tocsc()
