@@ -4,7 +4,7 @@ The generic human's shape coefficients move faces and bodies together, as its ow
 data does: a broad jaw goes with broad shoulders. So the coefficients that explain
 the face net's points and the shoulders' breadth also choose a likely body. It is a
 guess; the coefficients' prior keeps it near the mean adult, and what faces have of their own, the modes of the head's
-fit, is told apart from it.
+fit, is told apart from it. Who tells the sex in ``person.toml`` gets a body of it.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ from cloner.records.points import Proposals
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.portrait")
 
+# the phenotype's number for women and men
+_SEX: Final = {"f": 0.0, "m": 1.0}
 # BlazePose's shoulders
 _SHOULDERS: Final = (11, 12)
 
@@ -72,6 +74,16 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     start = ShapeFit(np.zeros(len(basis) + len(drift)), (camera,), np.zeros((1, 3)))
     found = fit_shape(start, lambda fit, turn: [told], iterations=params.turns).coefficients[: len(basis)]
     return np.clip(found, -params.most_sigmas, params.most_sigmas)
+
+
+def of_sex(generic: GenericHuman, coefficients: Array, sex: str) -> Array:
+    """Return the coefficients (C,) nearest to these whose phenotype is of a told sex, "f" or "m"; these for ""."""
+    if not sex:
+        return coefficients
+    row = generic.phenotype_names.index("sex")
+    share = generic.phenotype_from_shape[row, : len(coefficients)].astype(np.float64)
+    now = float(generic.phenotype_mean[row] + share @ coefficients)
+    return np.asarray(coefficients + share * (_SEX[sex] - now) / (share @ share))
 
 
 def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, Array]:

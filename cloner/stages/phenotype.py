@@ -15,7 +15,7 @@ from cloner.body.evidence import Evidence, Params, gather_evidence
 from cloner.body.footwear import FOOTWEAR, SHOES, sole_height
 from cloner.body.hair_height import hair_height_mm
 from cloner.body.model import WORN, Family, family
-from cloner.body.portrait import portrait_shape
+from cloner.body.portrait import of_sex, portrait_shape
 from cloner.body.solve import State, outline_term, solve
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
@@ -59,7 +59,7 @@ def run(
         for view, seen in views.views.items()
     }
     if not evidence:
-        guess = portrait_shape(generic, proposals)
+        guess = of_sex(generic, portrait_shape(generic, proposals), person.sex)
         value = Phenotype(guess, person.stature_m, SHOES.sole_m[0], {}, _attributes(generic, guess))
         return StageResult({"phenotype": value})
     barefoot = bool(np.mean([seen.barefoot for seen in evidence.values()]) > 0.5)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.body.portrait import Params, portrait_shape
+from cloner.body.portrait import Params, of_sex, portrait_shape
 from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -62,6 +62,17 @@ def test_the_sex_of_a_face_chooses_the_body(sign, turn):
     below = generic.head_blend == 0.0
     apart = [np.linalg.norm(each[below] - wanted[below], axis=1).mean() for each in (mean, got)]
     assert apart[1] < 0.8 * apart[0], "nearer to the person's own body than the mean body is"
+
+
+def test_a_told_sex_decides_and_changes_no_more_than_it_must():
+    generic = load_generic()
+    guess = portrait_shape(generic, portrait(1.8 * direction_of_sex(), noise_px=1.0))
+    for told, number in (("f", 0.0), ("m", 1.0)):
+        told_shape = of_sex(generic, guess, told)
+        assert sex(told_shape) == pytest.approx(number)
+        moved = told_shape - guess
+        assert abs(moved @ direction_of_sex()) == pytest.approx(np.linalg.norm(moved))
+    assert np.array_equal(of_sex(generic, guess, ""), guess)
 
 
 def test_the_mean_face_has_the_mean_build_whatever_the_stature():
