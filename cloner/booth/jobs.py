@@ -28,8 +28,9 @@ from cloner.project.folder import load_photo, safe_identifier
 from cloner.project.values_file import save_values
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal
+from cloner.stages.figures import NobodySeen
 from cloner.stages.photo_checks import check_photos
-from cloner.stages.proposals import NobodySeen, propose, settle_hidden
+from cloner.stages.proposals import propose, settle_hidden
 
 #: Proposals of so many photos are remembered: two visitors and some retakes, 4 MB each.
 REMEMBERED: Final = 16

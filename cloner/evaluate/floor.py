@@ -21,7 +21,7 @@ from cloner.generic.surfaces import load_surfaces
 from cloner.previews import FOLDER
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
-from cloner.stages.proposals import NobodySeen, check_people
+from cloner.stages.figures import NobodySeen, check_people
 
 
 def ask_nets(photos: PhotoSet) -> None:

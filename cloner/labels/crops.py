@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
+from cloner.labels.decoder import SIDE_PX
 from cloner.vision.photographs.crops import Crop
 from cloner.vision.photographs.head_frame import HeadFrame
 
@@ -16,6 +17,8 @@ from cloner.vision.photographs.head_frame import HeadFrame
 _CALIBRATED: Final = calibrated("labels.crops")
 
 PERSON_SHARE: Final = _CALIBRATED.number("person_share", "share")
+#: A crop's border is read so far inside it, pixels of the label net.
+INSIDE_PX: Final = 2
 HEAD_SHARE: Final = _CALIBRATED.number("head_share", "share")
 
 
@@ -35,6 +38,20 @@ def person_crop(person: NDArray[np.bool_], view: ViewId) -> Crop:
     rows, columns = np.flatnonzero(person.any(axis=1)), np.flatnonzero(person.any(axis=0))
     side = PERSON_SHARE * float(max(np.ptp(rows), np.ptp(columns)) + 1)
     return Crop(float(columns[0] + columns[-1]) / 2, float(rows[0] + rows[-1]) / 2, side, side)
+
+
+def cuts(crop: Crop, person: NDArray[np.float32]) -> bool:
+    """Return whether somebody seen in a crop goes on above or below it, in the photo still.
+
+    Parameters
+    ----------
+    crop : Crop
+    person : (H, W) float32
+        Probability of the person, 0 beyond the crop.
+    """
+    half = (0.5 - INSIDE_PX / SIDE_PX) * crop.height_px
+    ends = (round(crop.y_px - half), round(crop.y_px + half))
+    return any(0 < end < len(person) - 1 and bool((person[end] > 0.5).any()) for end in ends)
 
 
 def head_crop(head: HeadFrame) -> Crop:

@@ -19,7 +19,7 @@ from cloner.frames import BODY_VIEWS
 from cloner.generic.body_net import SIDES
 from cloner.generic.seen_points import NAMES, kind_and_side
 from cloner.project.folder import load_photos
-from cloner.stages.proposals import find_figure
+from cloner.stages.figures import find_figure
 
 TRUE_NAMES = {ours: name for name, ours in JOINTS.items()}
 

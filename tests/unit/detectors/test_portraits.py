@@ -14,8 +14,9 @@ from cloner.generic.load import load_generic
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.views import Camera
+from cloner.stages.figures import NobodySeen
 from cloner.stages.photo_checks import check_photos
-from cloner.stages.proposals import NobodySeen, propose
+from cloner.stages.proposals import propose
 from kit import painted, people
 from kit.visitors import photo
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.stages.proposals import both_masks, undenied
+from cloner.stages.figures import both_masks, undenied
 
 POSED = np.array([[0.95, 0.95, 0.05, 0.05, 0.6]], np.float32)
 

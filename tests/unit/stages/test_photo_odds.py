@@ -13,14 +13,15 @@ from cloner.detectors.nets.results import Box, PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.labels.photo import Looks
-from cloner.labels.photo import look as proposals_look
+from cloner.labels.photo import look as whole_look
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Corrections, Proposals, ViewPoints
-from cloner.stages import photo_checks, points, proposals
+from cloner.stages import figures, photo_checks, points
+from cloner.stages.figures import NobodySeen, nobody_in
 from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.stages.photo_checks import check_photos, front_odds, profile_odds, side_odds
-from cloner.stages.proposals import HIDDEN, NobodySeen, nobody_in, propose, settle_hidden
+from cloner.stages.proposals import HIDDEN, propose, settle_hidden
 from kit import studio
 from kit.visitors import photo
 
@@ -125,10 +126,10 @@ def _seeing(monkeypatch, soft):
             return soft
 
     def look(*given, **more):
-        seen = proposals_look(*given, **more)
+        seen = whole_look(*given, **more)
         return Seen(seen.whole, seen.near, seen.box, seen.head, seen.seen_px)
 
-    monkeypatch.setattr(proposals, "look", look)
+    monkeypatch.setattr(figures, "look", look)
 
 
 @pytest.mark.parametrize(("torn", "alike", "kept"), [(False, True, True), (True, True, False), (False, False, False)])
@@ -210,16 +211,38 @@ def test_whom_only_the_label_net_sees_stand_is_asked_of_the_pose_net(monkeypatch
         return PoseResult(proposal.pose_px, sight, sight, 1.0, mask) if sure else None
 
     own = {"people": lambda rgb: [], "pose_in_mask": pose_in_mask}
-    others = proposals.DETECTORS
-    monkeypatch.setattr(proposals, "DETECTORS", SimpleNamespace(get=lambda name: own.get(name) or others.get(name)))
+    others = figures.DETECTORS
+    monkeypatch.setattr(figures, "DETECTORS", SimpleNamespace(get=lambda name: own.get(name) or others.get(name)))
     if sure:
-        assert (proposals.find_figure(given).pose_px == proposal.pose_px).all()
+        assert (figures.find_figure(given).pose_px == proposal.pose_px).all()
     else:
         with pytest.raises(NobodySeen):
-            proposals.find_figure(given)
+            figures.find_figure(given)
     (inside,) = asked
     person = proposal.mask > 127
     assert (inside & person).sum() > 0.9 * (inside | person).sum()
+
+
+@pytest.mark.parametrize("short", [True, False])
+def test_somebody_whom_the_pose_net_sees_to_the_shins_is_looked_at_whole(monkeypatch, short):
+    proposal, given = seen(SIDE)
+    person = proposal.mask > 127
+    rows = np.flatnonzero(person.any(axis=1))
+    mask = proposal.mask.astype(np.float32) / 255.0
+    if short:
+        mask[rows[0] + 7 * len(rows) // 10 :] = 0.0
+    asked, sight = [], proposal.pose_visibility
+
+    def pose_in_mask(rgb, inside):
+        asked.append(inside)
+        return PoseResult(proposal.pose_px, sight, sight, 1.0, proposal.mask.astype(np.float32) / 255.0)
+
+    own = {"pose": lambda rgb, box: PoseResult(proposal.pose_px, sight, sight, 1.0, mask), "pose_in_mask": pose_in_mask}
+    others = figures.DETECTORS
+    monkeypatch.setattr(figures, "DETECTORS", SimpleNamespace(get=lambda name: own.get(name) or others.get(name)))
+    inside = figures.find_figure(given).inside
+    assert len(asked) == short
+    assert (inside & person).sum() > 0.98 * (inside | person).sum()
 
 
 def test_the_pose_of_a_head_counts_less_where_hair_hides_the_face():
