@@ -139,7 +139,8 @@ def _wrong_limb(
     wrong = np.zeros(len(own), bool)
     pixel = origins.pixel_px[own]
     for k in (0, 1, 2):
-        away = cv2.distanceTransform((owner != k).astype(np.uint8), cv2.DIST_L2, 5)
+        # a limb that is nowhere seen is as far as the picture is large, not 3e38
+        away = np.minimum(cv2.distanceTransform((owner != k).astype(np.uint8), cv2.DIST_L2, 5), sum(owner.shape))
         asked = np.flatnonzero(whole & (wanted == k))
         # depth pictures are half the photo's size; clothes stand out of the naked body: there no limb is known
         gap = depth_at(2.0 * away.astype(np.float32), pixel[asked])
