@@ -108,7 +108,8 @@ def find_figure(photo: Photo) -> Figure:
     if photo.view.is_body and cuts(person_crop(pose.mask > 0.5, photo.view), looks.person(pose.mask.shape)):
         whole = _pose_unseen(photo)  # the detector's circle ended at the shins
         if whole is not None:
-            pose, looks = whole, _look(photo, whole.mask, whole.points_px, face)
+            pose = read_again(photo.rgb, photo.view, whole, DETECTORS.get("pose"))
+            looks = _look(photo, pose.mask, pose.points_px, face)
     return _figure(photo, pose.points_px, np.asarray(pose.visibility, dtype=np.float64), pose.mask, face, looks)
 
 
@@ -180,8 +181,7 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
 
     Its pose is unknown: all points lie in the mask's middle and none is visible.
     """
-    everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
-    mask = look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
+    mask = _seen_anywhere(photo)
     if not _is_whole(mask) or not is_cut_below(mask.astype(np.float64)):
         return None
     rows, columns = np.nonzero(mask > 0.5)
@@ -190,10 +190,15 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
     return _figure(photo, pose, np.zeros(33), mask, face, _look(photo, mask, pose, face))
 
 
+def _seen_anywhere(photo: Photo) -> NDArray[np.float32]:
+    """Return (H, W) the probability of a person as the label net sees it in the whole photo."""
+    everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
+    return look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
+
+
 def standing_mask(photo: Photo) -> NDArray[np.bool_] | None:
     """Return the (H, W) standing figure that the label net sees in a body photo, None where it sees none."""
-    everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
-    mask = look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
+    mask = _seen_anywhere(photo)
     inside = np.asarray(mask > 0.5, np.bool_)
     return inside if _is_whole(mask) and not is_cut_below(mask.astype(np.float64)) and _stands(inside) else None
 
