@@ -245,6 +245,20 @@ def test_somebody_whom_the_pose_net_sees_to_the_shins_is_looked_at_whole(monkeyp
     assert (inside & person).sum() > 0.98 * (inside | person).sum()
 
 
+def test_a_face_beside_its_hair_is_a_profile_whatever_the_pose_net_reads(monkeypatch):
+    proposal, given = seen(FACE_SIDE)
+    front, _ = seen(FACE)
+    assert photo_checks.face_aside(proposal) > 0.2
+    assert photo_checks.face_aside(front) < 0.1
+    bald = np.where(proposal.labels == Label.HAIR, Label.FACE_SKIN, proposal.labels).astype(np.uint8)
+    assert photo_checks.face_aside(replace(proposal, labels=bald)) == 0.0
+    monkeypatch.setattr(photo_checks, "_outline_odds", lambda proposal: -2.0)  # a beard has no profile
+    misread = replace(proposal, pose_px=front.pose_px)
+    assert photo_checks.profile_odds(misread) < -2.0
+    assert photo_checks.side_face_odds(misread, given) > 0.0
+    assert photo_checks.side_face_odds(replace(misread, labels=front.labels), given) < 0.0
+
+
 def test_the_pose_of_a_head_counts_less_where_hair_hides_the_face():
     proposal, given = seen(FACE_SIDE)
     assert photo_checks.belief_in_pose(proposal) == pytest.approx(1.0)
