@@ -3,16 +3,19 @@
 import csv
 import os
 from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
+from cloner.booth.events.trash import throw_away
 from cloner.booth.photos.looking_table import Look, Trouble
 from cloner.booth.photos.looks import keep_look
 from cloner.booth.strolling import FILE
 from cloner.booth.visitors.visits import read_visit, write_visit
 from cloner_gui.canvas.clones import attract
+from cloner_gui.event.day_label import _counted
 from cloner_gui.main_window import CLONE
 from cloner_gui.pages.gallery import GalleryWindow
 from cloner_gui.pages.stage import StageWindow
@@ -114,6 +117,16 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     assert "2 visitors, 2 clones" in gallery.numbers_label.text()
     assert "Refused: 1 × It is blurred." in gallery.numbers_label.text(), "what was refused was refused"
     gallery.close()
+
+
+def test_who_is_thrown_away_while_the_day_is_counted_counts_once(event, qtbot):  # noqa: F811
+    first, second = begin(event, qtbot), begin(event, qtbot)
+    with_result(first)
+    with_result(second)
+    listed = {folder: read_visit(folder) for folder in (first, second)}
+    throw_away(second, datetime.now(UTC))
+    (found,) = _counted(listed, first.parent)
+    assert (found.visitors, found.trashed) == (2, 1)
 
 
 @pytest.fixture

@@ -76,6 +76,11 @@ class DayNumbers(QObject):
 
 
 def _counted(visits: Mapping[Path, Visit], root: Path | None) -> tuple[Day, ...]:
-    """Return the days' numbers of everybody who came, those in the trash too: what was refused then counts as well."""
+    """Return the days' numbers of everybody who came, those in the trash too: what was refused then counts as well.
+
+    Who was thrown away since the visits were listed counts once.
+    """
     thrown = () if root is None else trash.thrown_away(root)
-    return days({**visits, **{folder: read_visit(folder) for folder in thrown}}, read_looks)
+    names = {folder.name for folder in thrown}
+    stayed = {folder: visit for folder, visit in visits.items() if folder.name not in names or folder.is_dir()}
+    return days({**stayed, **{folder: read_visit(folder) for folder in thrown}}, read_looks)
