@@ -183,7 +183,8 @@ def side_face_odds(proposal: Proposal, photo: Photo) -> float:
     """Return the log odds that a photo which should show a head from the side does, by all that tells."""
     told = profile_odds(proposal)
     odds = (told * belief_in_pose(proposal) if told < 0.0 else told) + 2.0
-    odds += max(weight(face_aside(proposal), *ASIDE, ASIDE_MOST), 0.0)
+    if odds < 1.0:
+        odds += max(weight(face_aside(proposal), *ASIDE, ASIDE_MOST), 0.0)
     if odds < 1.0:
         odds += _outline_odds(proposal)
     if odds < 1.0 and odds > -3.0:
@@ -227,9 +228,9 @@ def face_aside(proposal: Proposal) -> float:
     sizes = int(face.sum()), int(other.sum())
     if min(sizes) < LEAST_PART * max(sum(sizes), 1):
         return 0.0
-    first, second = (np.nonzero(part)[1] for part in (face, other))
-    wide = max(first.max(), second.max()) - min(first.min(), second.min())
-    return float(abs(first.mean() - second.mean()) / max(float(wide), 1.0))
+    columns = [np.nonzero(part)[1] for part in (face, other)]
+    wide = float(np.ptp(np.concatenate(columns)))
+    return abs(float(columns[0].mean() - columns[1].mean())) / max(wide, 1.0)
 
 
 def belief_in_pose(proposal: Proposal) -> float:

@@ -43,7 +43,7 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
         photo, close = photos.photos[view], view.is_face and (view.is_side or ViewId.BODY_FRONT in views)
         figure = find_hidden_figure(photo) if close else None
         alike = close and shares_colours(photo.rgb, others) >= SOMEBODY
-        stands = view in (ViewId.BODY_SIDE, ViewId.BODY_BACK) and standing_mask(photo) is not None
+        stands = view.is_body and not view.is_front and standing_mask(photo) is not None
         if figure is not None and alike and view.is_side:
             found[view] = propose_within(photo, figure)
         elif figure is not None or alike or stands:

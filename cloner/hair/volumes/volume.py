@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, VOTE_MM, Scalp, believed_votes, hairline_mm, surface_mm
@@ -113,7 +113,7 @@ def lying_mm(views: list[HairView], lain: Near) -> NDArray[np.float32]:
     hang in no known pose, may show the hair behind it in its place.
     """
     field = cap_mm(views, lain)
-    across = [view for view in views if view.posed.view in (ViewId.BODY_FRONT, ViewId.BODY_BACK)]
+    across = [view for view in views if view.posed.view.is_body and not view.posed.view.is_side]
     rows = np.flatnonzero(field > -CLIP_MM)
     if not rows.size:
         return field

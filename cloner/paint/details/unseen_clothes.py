@@ -35,8 +35,8 @@ THROAT_M: Final = 0.04  # taste: skin goes on so far aside above skin: the throa
 BELOW_SKIN_M: Final = 0.02  # a neckline lies so far below the lowest skin that is seen
 #: Levels of what no photo tells (taste): a shirt; trousers and shoes, which are never lighter than what is worn above.
 SHIRT, TROUSERS, SHOES = np.array([[118, 122, 128], [52, 56, 66], [34, 32, 32]], np.float32)
-#: Of what light does to one thing (taste): nearer to the skin's colour cloth looks like skin; white beside pale has .9.
-AS_SKIN: Final = 0.5
+#: Of what light does to one thing (taste): nearer is one colour, cloth looks like skin; white beside pale skin has .9.
+ONE_COLOUR: Final = 0.5
 #: Pixels of cloth in a photo from which their colour is a garment's, though it lies on no surface.
 LEAST_PIXELS: Final = 400
 #: Levels that count as one colour (taste).
@@ -196,7 +196,7 @@ def _as_skin(rgb: NDArray[np.float32], skin_rgb: NDArray[np.float32]) -> NDArray
     """Return which colours (..., 3) are those of skin (N, 3), levels: a shirt of them would look like none."""
     if not len(skin_rgb):
         return np.zeros(rgb.shape[:-1], bool)
-    return goes_on(rgb, np.median(log_levels(skin_rgb), axis=0), AS_SKIN)
+    return goes_on(rgb, np.median(log_levels(skin_rgb), axis=0), ONE_COLOUR)
 
 
 def _fall(
@@ -211,7 +211,7 @@ def _fall(
     rows = np.flatnonzero(seen)
     near = rows[cKDTree(place[rows]).query(place)[1]]
     above = rows[cKDTree(vertices_m[rows]).query(vertices_m[near] + (0.0, LASTING_M, 0.0))[1]]
-    lasting = goes_on(cloth_rgb[near], log_levels(cloth_rgb[above]), AS_SKIN)
+    lasting = goes_on(cloth_rgb[near], log_levels(cloth_rgb[above]), ONE_COLOUR)
     aside = np.linalg.norm((vertices_m - vertices_m[near])[:, [0, 2]], axis=1)
     return cloth_rgb[near], np.where(_any_segment(generic, ("torso", "pelvis")) & lasting, aside, PLAIN_M)
 
