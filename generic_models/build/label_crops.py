@@ -2,7 +2,7 @@
 
 ``python generic_models/build/label_crops.py KIT PEOPLE WORK --workers 2``: KIT is the folder of the generator of
 labelled people (``make_people.py``), PEOPLE how many to draw, WORK where crops are kept. What is there already is kept,
-so a stopped run goes on; ``--minutes`` ends it in time.
+so a stopped run goes on; ``--minutes`` ends it in time. Seeds from 60000 on (``--first``) show bare shoulders.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from typing import Any
 
 import cv2
 import numpy as np
+from bare_shoulders import FIRST_BARE_SEED, bared
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -36,6 +37,7 @@ VIEWS = {"face": (("face_front", "face_side"), 640), "body": (("body_front", "bo
 #: Copies of every crop: one nearly as photographed, the others in other light and before other walls.
 COPIES = 2
 SIDE = 256
+FACE_SKIN = 2  # label of the kit
 OUTSIDE = 255  # label of what lies beyond the photo
 #: Points that the net is taught to find in a person's crop, as the kit names them.
 POINTS = tuple({ours: name for name, ours in JOINTS.items()}.get(name, name) for name in NAMES)
@@ -73,13 +75,20 @@ def generator(kit: Path) -> tuple[Any, Any]:
     sys.path.insert(0, str(kit))
     import make_people
 
+    draw = make_people.draw_person
+
+    def dressed(seed: int, *rest: Any) -> dict[str, Any]:
+        person = draw(seed, *rest)
+        return bared(make_people, person) if seed >= FIRST_BARE_SEED else person
+
+    make_people.draw_person = dressed
     return make_people, make_people.Kit(None)
 
 
-def wanted_seeds(kit: Path, people: int) -> list[int]:
-    """Return the seeds of so many people who teach."""
+def wanted_seeds(kit: Path, people: int, first: int) -> list[int]:
+    """Return the seeds of so many people who teach, from a first one on."""
     make_people, maker = generator(kit)
-    drawn = ((seed, make_people.draw_person(seed, maker.inv)) for seed in count(FIRST_SEED))
+    drawn = ((seed, make_people.draw_person(seed, maker.inv)) for seed in count(first))
     return list(islice((seed for seed, person in drawn if is_wanted(person, seed)), people))
 
 
@@ -138,10 +147,48 @@ def crops_of(view: str, labels: NDArray[np.uint8], points: dict[str, Any], rng: 
 def before_another_wall(
     rgb: NDArray[np.uint8], labels: NDArray[np.uint8], rng: np.random.Generator
 ) -> NDArray[np.uint8]:
-    """Return the photo before a dark curtain or a plain wall; the kit's own are rarely dark."""
+    """Return the photo before a dark curtain, a plain or a cloudy wall; the kit's own are rarely dark or uneven."""
     soft = cv2.GaussianBlur((labels > 0).astype(np.float32), (0, 0), 1.2 * rgb.shape[1] / 800)[..., None]
-    wall: Any = rgb * rng.uniform(0.02, 0.35) if rng.random() < 0.6 else rng.uniform(0.0, 255.0, 3)
+    kind = rng.random()
+    wall: Any = rng.uniform(0.0, 255.0, 3)
+    if kind < 0.4:
+        wall = rgb * rng.uniform(0.02, 0.35)
+    elif kind < 0.8:
+        wall = wall + (rng.normal(0.0, 60.0, 3) - wall * rng.uniform(0.0, 0.5)) * clouds(labels.shape, rng)[..., None]
     return np.asarray(rgb * soft + wall * (1.0 - soft), np.uint8)
+
+
+def clouds(shape: tuple[int, ...], rng: np.random.Generator) -> NDArray[np.float32]:
+    """Return an uneven picture between about 0 and 1: five sizes of grain, drawn out one way as planks are."""
+    height, width = shape[:2]
+    stretch, rough = np.exp(rng.normal(0.0, 0.7)), rng.uniform(0.3, 0.9)
+    picture, total = np.zeros((height, width), np.float32), 0.0
+    for octave in range(5):
+        cells = 3.0 * 2.0**octave
+        size = max(2, round(cells * stretch)), max(2, round(cells / stretch * width / height))
+        grain = cv2.resize(rng.random(size).astype(np.float32), (width, height), interpolation=cv2.INTER_CUBIC)
+        picture += rough**octave * grain
+        total += rough**octave
+    return picture / np.float32(total)
+
+
+def made_up(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], points: dict[str, Any],
+            rng: np.random.Generator) -> NDArray[np.uint8]:  # fmt: skip
+    """Return a photo with shaded or painted lids and darker sockets: the kit's eyes are bare, and no glasses are."""
+    painted = rgb.astype(np.float32)
+    colour, depth = rng.uniform(0.0, 110.0, 3) * rng.uniform(0.1, 1.0), rng.uniform(0.2, 0.9)
+    high = rng.uniform(0.2, 0.55)
+    for side in "LR":
+        outer, inner = (np.array(points[f"eye_{end}_{side}"]["xy"]) for end in ("outer", "inner"))
+        wide = float(np.hypot(*(outer - inner))) + 1.0
+        across, down = (outer - inner) / wide, np.array((inner - outer)[::-1] * (-1.0, 1.0)) / wide
+        down = down if down[1] > 0 else -down
+        y, x = np.mgrid[: rgb.shape[0], : rgb.shape[1]]
+        from_eye = np.stack([x, y], axis=-1) - (outer + inner) / 2.0 + 0.15 * wide * down
+        away = (from_eye @ across / (0.65 * wide)) ** 2 + (from_eye @ down / (high * wide)) ** 2
+        share = depth * np.exp(-(away**1.5)) * (labels == FACE_SKIN)
+        painted += share[..., None] * (colour - painted)
+    return np.asarray(painted, np.uint8)
 
 
 def in_other_light(rgb: NDArray[np.uint8], rng: np.random.Generator, *, strong: bool) -> NDArray[np.uint8]:
@@ -194,8 +241,10 @@ def cut_person(folder: Path, kit: Path) -> dict[str, NDArray[Any]]:
         places = np.array([joints[name] for name in POINTS]) - 0.5  # the kit's origin is a pixel's corner
         for copy in range(COPIES):
             rng = np.random.default_rng([seed, copy, sum(map(ord, view))])
-            wall = copy > 0 and rng.random() < 0.22
+            wall = copy > 0 and rng.random() < 0.4
             rgb = before_another_wall(photo, labels, rng) if wall else photo
+            if copy > 0 and view == "face_front" and rng.random() < 0.4:
+                rgb = made_up(rgb, labels, features["points"], rng)
             for number, crop in enumerate(crops_of(view, labels, features["points"], rng)):
                 image, label = cut_pair(rgb, labels, crop)
                 image = in_other_light(image, rng, strong=copy > 0)
@@ -256,13 +305,14 @@ def main() -> None:
     parser.add_argument("kit", type=Path)
     parser.add_argument("people", type=int)
     parser.add_argument("work", type=Path)
+    parser.add_argument("--first", type=int, default=FIRST_SEED, help="first seed; from 60000 on with bare shoulders")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=float("inf"))
     given = parser.parse_args()
     end = time.monotonic() + 60.0 * given.minutes
     (given.work / "crops").mkdir(parents=True, exist_ok=True)
     with get_context("spawn").Pool(given.workers) as pool:
-        tasks = [(given.kit, given.work, seed) for seed in wanted_seeds(given.kit, given.people)]
+        tasks = [(given.kit, given.work, seed) for seed in wanted_seeds(given.kit, given.people, given.first)]
         for done, _ in enumerate(pool.imap_unordered(teach, tasks), 1):
             if done % 20 == 0:
                 print(f"{done} of {len(tasks)}", flush=True)

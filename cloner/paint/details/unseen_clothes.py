@@ -23,6 +23,9 @@ from cloner.vision.retouching.evening import log_levels
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
+#: Arms have no sleeves where more skin than cloth is seen, and more than so many vertices, from the shoulders' tops
+#: down by so much, beside the neck (two real portraits in straps: 8 and 14 against 0 and 5; in a shirt 0 against 22).
+LEAST_SKIN, SHOULDER_M = 7, 0.07
 COLLAR_QUANTILE: Final = 0.9  # of the heights at which cloth is seen beside the neck
 NECK_SHARE: Final = 1.5  # of the neck's half width: collars stand around it
 #: Over which heights a garment's edge rises from none to all: two edges of the skin's triangles, or its middle, where
@@ -55,7 +58,8 @@ def dress_unseen(
 
     A photo of the face ends at the chest, and from the neck's skin the unseen back would be bare.
     The collar stands behind as high as it does beside the neck. Without cloth in the photo it lies round the
-    neck's base, and where shoulders are seen bare the shirt begins below what is seen and has no sleeves.
+    neck's base, and where shoulders are seen bare the shirt begins below what is seen. Bare shoulders have no
+    sleeves below them.
 
     Parameters
     ----------
@@ -71,6 +75,10 @@ def dress_unseen(
         shoulders = _shown(sources) & kinds.skin & ~_beside_neck(generic, vertices_m) & ~generic.segment("head")
         if int(shoulders.sum()) < LEAST_CLOTH:  # a neckline that is low in front is not behind
             collar_m = np.maximum(collar_m, _neck_base_m(generic, vertices_m))
+        high = vertices_m[:, 1] > vertices_m[_any_segment(generic, ("arm",)), 1].max() - SHOULDER_M
+        high &= ~_beside_neck(generic, vertices_m)
+        if int((shoulders & high).sum()) > max(LEAST_SKIN, int((cloth & high).sum())):
+            covered = ~_any_segment(generic, ("arm", "hand"))
     else:
         collar_m, covered = _neckline(generic, sources, kinds, vertices_m)
     below = np.minimum(_rising(collar_m - vertices_m[:, 1]), _beyond_skin(generic, sources, kinds, vertices_m, graph))

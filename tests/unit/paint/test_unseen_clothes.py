@@ -116,6 +116,17 @@ def test_nobody_is_naked_below_what_a_photo_shows_bare(person):
     assert kinds.worn[generic.segment("left_upper_arm")].max() == 0.0, "a shirt below bare shoulders has no sleeves"
 
 
+@pytest.mark.parametrize(("top_m", "sleeve"), [(-0.06, 0.0), (0.01, 1.0)])
+def test_bare_shoulders_above_a_top_have_no_sleeves(person, top_m, sleeve):
+    generic, vertices, graph = person
+    source = portrait(generic, vertices, float(vertices[generic.region("neck"), 1].min()) + top_m)
+    kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
+    arm = generic.segment("left_upper_arm")
+    unseen = arm & (vertices[:, 1] < vertices[arm, 1].max() - 0.20)
+    assert unseen.sum() > 20
+    assert kinds.worn[unseen].min() == kinds.worn[unseen].max() == sleeve
+
+
 def clothed(person, collar, cloth_rgb, labels=None, rgb=(40, 90, 160)):
     """Return fills and seen vertices of a portrait in which cloth has one colour and skin another."""
     generic, vertices, graph = person
