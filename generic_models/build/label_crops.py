@@ -154,7 +154,8 @@ def before_another_wall(
     if kind < 0.4:
         wall = rgb * rng.uniform(0.02, 0.35)
     elif kind < 0.8:
-        wall = wall + (rng.normal(0.0, 60.0, 3) - wall * rng.uniform(0.0, 0.5)) * clouds(labels.shape, rng)[..., None]
+        change = rng.normal(0.0, 60.0, 3) - wall * rng.uniform(0.0, 0.5)
+        wall = np.clip(wall + change * clouds(labels.shape, rng)[..., None], 0.0, 255.0)
     return np.asarray(rgb * soft + wall * (1.0 - soft), np.uint8)
 
 
@@ -174,7 +175,7 @@ def clouds(shape: tuple[int, ...], rng: np.random.Generator) -> NDArray[np.float
 
 def made_up(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], points: dict[str, Any],
             rng: np.random.Generator) -> NDArray[np.uint8]:  # fmt: skip
-    """Return a photo with shaded or painted lids and darker sockets: the kit's eyes are bare, and no glasses are."""
+    """Return a photo with painted lids and darker sockets, which the kit's eyes lack and which are no glasses."""
     painted = rgb.astype(np.float32)
     colour, depth = rng.uniform(0.0, 110.0, 3) * rng.uniform(0.1, 1.0), rng.uniform(0.2, 0.9)
     high = rng.uniform(0.2, 0.55)
