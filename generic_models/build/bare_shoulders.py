@@ -1,7 +1,7 @@
-"""People of the kit in tops that leave shoulders bare: tank tops, straps, strapless, tied behind the neck.
+"""People of the kit in tops that leave shoulders bare: tank tops, straps, deep necklines, strapless ones.
 
-The kit dresses one person in a hundred so, and visitors in summer are half of them: a decoder taught by the kit alone
-takes bare shoulders for a top.
+The kit dresses one person in a hundred so, and a decoder taught by the kit alone takes real people's bare shoulders for
+a top.
 """
 
 from __future__ import annotations

@@ -28,6 +28,7 @@ from PIL import Image
 from cloner.detectors.nets.litert import label_features
 from cloner.evaluate.measures.posing import JOINTS
 from cloner.generic.seen_points import NAMES
+from cloner.records.labels import Label
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 
 #: First seed of the people that teach; benchmarks judge on 5000 to 5999, other judges on 9000 to 9999.
@@ -37,7 +38,6 @@ VIEWS = {"face": (("face_front", "face_side"), 640), "body": (("body_front", "bo
 #: Copies of every crop: one nearly as photographed, the others in other light and before other walls.
 COPIES = 2
 SIDE = 256
-FACE_SKIN = 2  # label of the kit
 OUTSIDE = 255  # label of what lies beyond the photo
 #: Points that the net is taught to find in a person's crop, as the kit names them.
 POINTS = tuple({ours: name for name, ours in JOINTS.items()}.get(name, name) for name in NAMES)
@@ -179,15 +179,15 @@ def made_up(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], points: dict[str,
     painted = rgb.astype(np.float32)
     colour, depth = rng.uniform(0.0, 110.0, 3) * rng.uniform(0.1, 1.0), rng.uniform(0.2, 0.9)
     high = rng.uniform(0.2, 0.55)
+    pixels = np.stack(np.mgrid[: rgb.shape[0], : rgb.shape[1]][::-1], axis=-1)
     for side in "LR":
         outer, inner = (np.array(points[f"eye_{end}_{side}"]["xy"]) for end in ("outer", "inner"))
         wide = float(np.hypot(*(outer - inner))) + 1.0
         across, down = (outer - inner) / wide, np.array((inner - outer)[::-1] * (-1.0, 1.0)) / wide
         down = down if down[1] > 0 else -down
-        y, x = np.mgrid[: rgb.shape[0], : rgb.shape[1]]
-        from_eye = np.stack([x, y], axis=-1) - (outer + inner) / 2.0 + 0.15 * wide * down
+        from_eye = pixels - (outer + inner) / 2.0 + 0.15 * wide * down
         away = (from_eye @ across / (0.65 * wide)) ** 2 + (from_eye @ down / (high * wide)) ** 2
-        share = depth * np.exp(-(away**1.5)) * (labels == FACE_SKIN)
+        share = depth * np.exp(-(away**1.5)) * (labels == Label.FACE_SKIN)
         painted += share[..., None] * (colour - painted)
     return np.asarray(painted, np.uint8)
 

@@ -69,16 +69,17 @@ def dress_unseen(
     cloth = _shown_cloth(sources, kinds)
     covered = np.ones(len(vertices_m), bool)
     if int(cloth.sum()) >= LEAST_CLOTH:
+        aside = ~_beside_neck(generic, vertices_m)
         ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare(generic, sources) < 0.5)
-        ends = (ends.any(axis=0) | cloth) & _beside_neck(generic, vertices_m) & ~generic.region("scalp")
+        ends = (ends.any(axis=0) | cloth) & ~aside & ~generic.region("scalp")
         collar_m = np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE)
-        shoulders = _shown(sources) & kinds.skin & ~_beside_neck(generic, vertices_m) & ~generic.segment("head")
+        shoulders = _shown(sources) & kinds.skin & aside & ~generic.segment("head")
         if int(shoulders.sum()) < LEAST_CLOTH:  # a neckline that is low in front is not behind
             collar_m = np.maximum(collar_m, _neck_base_m(generic, vertices_m))
-        high = vertices_m[:, 1] > vertices_m[_any_segment(generic, ("arm",)), 1].max() - SHOULDER_M
-        high &= ~_beside_neck(generic, vertices_m)
+        arms = _any_segment(generic, ("arm", "hand"))
+        high = aside & (vertices_m[:, 1] > vertices_m[arms, 1].max() - SHOULDER_M)
         if int((shoulders & high).sum()) > max(LEAST_SKIN, int((cloth & high).sum())):
-            covered = ~_any_segment(generic, ("arm", "hand"))
+            covered = ~arms
     else:
         collar_m, covered = _neckline(generic, sources, kinds, vertices_m)
     below = np.minimum(_rising(collar_m - vertices_m[:, 1]), _beyond_skin(generic, sources, kinds, vertices_m, graph))
