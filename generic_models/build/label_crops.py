@@ -2,7 +2,8 @@
 
 ``python generic_models/build/label_crops.py KIT PEOPLE WORK --workers 2``: KIT is the folder of the generator of
 labelled people (``make_people.py``), PEOPLE how many to draw, WORK where crops are kept. What is there already is kept,
-so a stopped run goes on; ``--minutes`` ends it in time. Seeds from 60000 on (``--first``) show bare shoulders.
+so a stopped run goes on; ``--minutes`` ends it in time. Seeds from 60000 on (``--first``) show bare shoulders, from
+70000 on tops of the skin's colour.
 """
 
 from __future__ import annotations
@@ -21,14 +22,14 @@ from typing import Any
 
 import cv2
 import numpy as np
-from bare_shoulders import FIRST_BARE_SEED, bared
 from numpy.typing import NDArray
+from other_light import before_another_wall, in_other_light, made_up
+from other_tops import in_other_tops
 from PIL import Image
 
 from cloner.detectors.nets.litert import label_features
 from cloner.evaluate.measures.posing import JOINTS
 from cloner.generic.seen_points import NAMES
-from cloner.records.labels import Label
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 
 #: First seed of the people that teach; benchmarks judge on 5000 to 5999, other judges on 9000 to 9999.
@@ -78,8 +79,7 @@ def generator(kit: Path) -> tuple[Any, Any]:
     draw = make_people.draw_person
 
     def dressed(seed: int, *rest: Any) -> dict[str, Any]:
-        person = draw(seed, *rest)
-        return bared(make_people, person) if seed >= FIRST_BARE_SEED else person
+        return in_other_tops(make_people, draw(seed, *rest))
 
     make_people.draw_person = dressed
     return make_people, make_people.Kit(None)
@@ -142,72 +142,6 @@ def crops_of(view: str, labels: NDArray[np.uint8], points: dict[str, Any], rng: 
     side = 1.95 * head * rng.uniform(0.85, 1.25)
     x, y = (top + chin) / 2.0 + rng.normal(0.0, 0.07, 2) * head
     yield Crop(float(x), float(y), side, side)
-
-
-def before_another_wall(
-    rgb: NDArray[np.uint8], labels: NDArray[np.uint8], rng: np.random.Generator
-) -> NDArray[np.uint8]:
-    """Return the photo before a dark curtain, a plain or a cloudy wall; the kit's own are rarely dark or uneven."""
-    soft = cv2.GaussianBlur((labels > 0).astype(np.float32), (0, 0), 1.2 * rgb.shape[1] / 800)[..., None]
-    kind = rng.random()
-    wall: Any = rng.uniform(0.0, 255.0, 3)
-    if kind < 0.4:
-        wall = rgb * rng.uniform(0.02, 0.35)
-    elif kind < 0.8:
-        change = rng.normal(0.0, 60.0, 3) - wall * rng.uniform(0.0, 0.5)
-        wall = np.clip(wall + change * clouds(labels.shape, rng)[..., None], 0.0, 255.0)
-    return np.asarray(rgb * soft + wall * (1.0 - soft), np.uint8)
-
-
-def clouds(shape: tuple[int, ...], rng: np.random.Generator) -> NDArray[np.float32]:
-    """Return an uneven picture between about 0 and 1: five sizes of grain, drawn out one way as planks are."""
-    height, width = shape[:2]
-    stretch, rough = np.exp(rng.normal(0.0, 0.7)), rng.uniform(0.3, 0.9)
-    picture, total = np.zeros((height, width), np.float32), 0.0
-    for octave in range(5):
-        cells = 3.0 * 2.0**octave
-        size = max(2, round(cells * stretch)), max(2, round(cells / stretch * width / height))
-        grain = cv2.resize(rng.random(size).astype(np.float32), (width, height), interpolation=cv2.INTER_CUBIC)
-        picture += rough**octave * grain
-        total += rough**octave
-    return picture / np.float32(total)
-
-
-def made_up(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], points: dict[str, Any],
-            rng: np.random.Generator) -> NDArray[np.uint8]:  # fmt: skip
-    """Return a photo with painted lids and darker sockets, which the kit's eyes lack and which are no glasses."""
-    painted = rgb.astype(np.float32)
-    colour, depth = rng.uniform(0.0, 110.0, 3) * rng.uniform(0.1, 1.0), rng.uniform(0.2, 0.9)
-    high = rng.uniform(0.2, 0.55)
-    pixels = np.stack(np.mgrid[: rgb.shape[0], : rgb.shape[1]][::-1], axis=-1)
-    for side in "LR":
-        outer, inner = (np.array(points[f"eye_{end}_{side}"]["xy"]) for end in ("outer", "inner"))
-        wide = float(np.hypot(*(outer - inner))) + 1.0
-        across, down = (outer - inner) / wide, np.array((inner - outer)[::-1] * (-1.0, 1.0)) / wide
-        down = down if down[1] > 0 else -down
-        from_eye = pixels - (outer + inner) / 2.0 + 0.15 * wide * down
-        away = (from_eye @ across / (0.65 * wide)) ** 2 + (from_eye @ down / (high * wide)) ** 2
-        share = depth * np.exp(-(away**1.5)) * (labels == Label.FACE_SKIN)
-        painted += share[..., None] * (colour - painted)
-    return np.asarray(painted, np.uint8)
-
-
-def in_other_light(rgb: NDArray[np.uint8], rng: np.random.Generator, *, strong: bool) -> NDArray[np.uint8]:
-    """Return a crop in other colours, exposure and contrast; strongly also greyer, lit from a side, blurred."""
-    share = 1.0 if strong else 0.3
-    light = rgb.astype(np.float32) / 255.0 * np.exp(rng.normal(0.0, np.array([0.1, 0.05, 0.13]) * share))
-    light = np.clip(light * np.exp(rng.normal(0.0, 0.22 * share)), 0.0, 1.0) ** np.exp(rng.normal(0.0, 0.25 * share))
-    if strong and rng.random() < 0.25:
-        grey = light.mean(axis=-1, keepdims=True)
-        light = grey + (light - grey) * rng.uniform(0.0, 0.8)
-    if strong and rng.random() < 0.35:
-        y, x = np.mgrid[:SIDE, :SIDE] / (SIDE - 1.0) - 0.5
-        turn, depth = rng.uniform(0.0, 2.0 * np.pi), rng.uniform(0.4, 1.6)
-        light = light * np.clip(1.0 + depth * (x * np.cos(turn) + y * np.sin(turn)), 0.15, 1.6)[..., None]
-    if strong and rng.random() < 0.3:
-        light = cv2.GaussianBlur(light, (0, 0), rng.uniform(0.5, 1.6))
-    light = light + rng.normal(0.0, 1.0, light.shape) * rng.uniform(0.0, 0.03 * share)
-    return np.asarray(np.clip(255.0 * light, 0.0, 255.0), np.uint8)
 
 
 def mirrored_names(names: tuple[str, ...]) -> list[int]:
@@ -306,7 +240,7 @@ def main() -> None:
     parser.add_argument("kit", type=Path)
     parser.add_argument("people", type=int)
     parser.add_argument("work", type=Path)
-    parser.add_argument("--first", type=int, default=FIRST_SEED, help="first seed; from 60000 on with bare shoulders")
+    parser.add_argument("--first", type=int, default=FIRST_SEED, help="first seed (60000, 70000: see above)")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=float("inf"))
     given = parser.parse_args()

@@ -291,8 +291,6 @@ def arrays_of(net: nn.Module) -> dict[str, NDArray[np.float32]]:
     """Return the arrays that the product reads: 1 x 1 convolutions as matrices, separable ones as a filter a plane."""
     found = {}
     for name, value in net.state_dict().items():
-        if name.startswith(f"p{PART_SIDE}"):
-            continue
         array = value.float().cpu().numpy()
         if name[0] in "md" and name[1:].isdigit():
             array = array.ravel()

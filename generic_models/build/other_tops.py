@@ -1,7 +1,8 @@
-"""People of the kit in tops that leave shoulders bare: tank tops, straps, deep necklines, strapless ones.
+"""People of the kit in tops that it seldom draws: such as leave shoulders bare, and such as have the skin's colour.
 
-The kit dresses one person in a hundred so, and a decoder taught by the kit alone takes real people's bare shoulders for
-a top.
+It shows bare shoulders on one person in a hundred, and a decoder taught by the kit alone takes real people's for a top;
+taught by bare shoulders alone it takes tops of the skin's colour for skin. Both teach, as many of the one as of the
+other.
 """
 
 from __future__ import annotations
@@ -10,12 +11,42 @@ from typing import Any
 
 import numpy as np
 
-#: Seeds from here on wear such tops; the kit's own people have smaller ones.
-FIRST_BARE_SEED = 60000
+#: Seeds from here on show bare shoulders, and from here on tops of the skin's colour; the kit's own people have
+#: smaller ones.
+FIRST_BARE_SEED, FIRST_SKIN_COLOURED_SEED = 60000, 70000
 #: Kinds of tops and how often each is worn.
 KINDS = {"tank": 0.35, "straps": 0.2, "deep": 0.15, "strapless": 0.3}
 #: Where a garment's colour comes from, as the kit names it, and how often.
 COLOURS = {"any": 0.6, "dark": 0.2, "skin": 0.12, "hair": 0.08}
+
+
+def in_other_tops(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
+    """Return a drawn person of the kit in what the range of its seed wears."""
+    if person["seed"] >= FIRST_SKIN_COLOURED_SEED:
+        return skin_coloured(make_people, person)
+    return bared(make_people, person) if person["seed"] >= FIRST_BARE_SEED else person
+
+
+def skin_coloured(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
+    """Return a drawn person of the kit with a top of about the skin's colour, mostly plain, often wrinkled."""
+    rng = np.random.default_rng([person["seed"], 616])
+    outfit = person["outfit"]
+    suit = outfit.get("suit")
+    garments = [suit["upper"]] if suit else [outfit["outer" if "outer" in outfit else "top"]]
+    if rng.random() < 0.3:
+        below = [suit["lower"]] if suit else [outfit[name] for name in ("low", "skirt") if name in outfit]
+        garments += [garment for garment in below if "c1" in garment]
+    colour = np.array(make_people.garment_colour(rng, "skin", person["_skin_col"]))
+    for garment in garments:
+        garment["c1"] = tuple(float(channel) for channel in colour * rng.uniform(0.9, 1.1))
+        garment["ptype"] = 0 if rng.random() < 0.75 else 6  # plain, else a pattern of its own colour's shades
+        garment["c2"] = tuple(float(channel) for channel in colour * rng.uniform(0.6, 1.3))
+        garment["wrinkle"] *= rng.uniform(0.5, 2.0)
+    if suit:
+        suit["recolour"], suit["tone_keep"] = True, float(rng.uniform(0.7, 1.0))
+    elif rng.random() < 0.7:
+        outfit["top"]["sleeve"] = max(outfit["top"]["sleeve"], float(rng.uniform(0.2, 1.0)))
+    return person
 
 
 def bared(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
