@@ -1,6 +1,7 @@
 """Known people for the calibration of measures: random bodies, and dressed people beside their clones.
 
 ``python benchmarks/measure_samples.py bodies OUT --people 250`` measures random bodies of the generic family;
+``python benchmarks/measure_samples.py painted OUT --people 40`` clones painted people in tight clothes;
 ``python benchmarks/measure_samples.py people OUT --photos KIT`` clones people of the generator of labelled people
 (``make_people.py``; any clothes, any light) as far as measures need and keeps what the clones measure beside what is
 true (some 10 CPU seconds each). Interrupted runs go on where they stopped. Their seeds must be apart from those of any
@@ -12,7 +13,8 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +23,7 @@ from scipy.spatial import cKDTree
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generic_models" / "build"))
 
+from body_truth import photograph
 from painted_people_bodies import random_body
 
 from cloner.body.outlined import gaps_mm, outlined_photos, see
@@ -31,15 +34,18 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
 from cloner.measure.covering import covers
+from cloner.measure.naked_girths import naked_girths
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
 from cloner.project.folder import read_corrections
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import Cover
-from cloner.testing import folder_values, run_stages, up_to
+from cloner.testing import first_values, folder_values, run_stages, up_to
 
-#: First seed of the bodies without photos.
-BODY_SEED = 710_000
+#: First seeds of the bodies without photos, and of painted people.
+BODY_SEED, PAINTED_SEED = 710_000, 720_000
+#: What painted people stand before, one after another.
+BACKGROUNDS = ("plain", "cluttered", "low_contrast")
 #: The stages up to the obeyed person; hair and textures measure nothing.
 LAST_STAGE = "obeyed"
 #: Skin vertices that carry a joint along with a posed body.
@@ -72,24 +78,37 @@ def naked_mm(person: Path) -> np.ndarray:
     return vector(whole, joints)
 
 
-def cloned(person: Path) -> dict[str, Any]:
-    """Return what a clone of one photographed person measures, and what is true of the person."""
-    found, _ = run_stages(folder_values(person, read_corrections(person)), up_to(LAST_STAGE))
+def cloned(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a clone of one photographed person measures."""
+    found, _ = run_stages(values, up_to(LAST_STAGE))
     joined, silhouettes, body = found["obeyed"], found["obeyed_silhouettes"], found["body"]
     cover = covers(found["proposals"], joined)
     photos = outlined_photos(found["phenotype"], silhouettes, found["proposals"], body.views)
     seen = {view: see(body.mesh, photo) for view, photo in photos.items()}
     regions = [region.name for silhouette in silhouettes.views.values() for region in silhouette.loose]
-    truth = json.loads((person / "truth.json").read_text())
+    shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
     return {
-        "stature_m": float(truth["stature_mm"]) / 1e3,
-        "shown": vector(joined.vertices_m, joined.joints_m, joined.sole_m),
-        "naked": naked_mm(person),
+        "shown": np.array(list(shown.values())),
+        "under": naked_girths(body.mesh, shown, seen, found["proposals"]),
         "rumple": garments_rumples_mm(seen, photos, silhouettes, cover),
         "hidden": hidden_rows(body.mesh.vertices_m, seen),
         "around_legs": AROUND_LEGS in regions,
         "gap_mm": float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in photos.items()])),
     } | {f"cover_{name}": flags(own) for name, own in cover.items()}
+
+
+def generated(person: Path) -> dict[str, Any]:
+    """Return what a clone of a person of the generator measures, and what is true of the person."""
+    truth = json.loads((person / "truth.json").read_text())
+    own = {"stature_m": float(truth["stature_mm"]) / 1e3, "naked": naked_mm(person)}
+    return own | cloned(folder_values(person, read_corrections(person)))
+
+
+def painted(seed: int) -> dict[str, Any]:
+    """Return what a clone of a painted person in tight clothes measures, and what is true of the person."""
+    known = photograph(seed, "tight", BACKGROUNDS[seed % len(BACKGROUNDS)])
+    own = {"stature_m": known.person.stature_m, "naked": vector(known.body.vertices_m, known.body.joints_m)}
+    return own | cloned(first_values(known.photos, known.person))
 
 
 def flags(cover: Cover) -> np.ndarray:
@@ -104,24 +123,25 @@ def keep(path: Path, sample: Mapping[str, Any]) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=("bodies", "people"))
+    parser.add_argument("what", choices=("bodies", "painted", "people"))
     parser.add_argument("out", type=Path)
-    parser.add_argument("--people", type=int, default=250, help="how many bodies")
+    parser.add_argument("--people", type=int, default=250, help="how many bodies or painted people")
     parser.add_argument("--photos", type=Path, help="the generated people")
     chosen = parser.parse_args()
     folder = chosen.out / chosen.what
     folder.mkdir(parents=True, exist_ok=True)
-    if chosen.what == "bodies":
-        for seed in range(BODY_SEED, BODY_SEED + chosen.people):
-            if not (folder / f"{seed}.npz").exists():
-                keep(folder / f"{seed}.npz", body(seed))
-        return
-    for person in kit_people([chosen.photos]):
-        if not (folder / f"{person.name}.npz").exists():
+    making: dict[str, Callable[[], dict[str, Any]]]
+    if chosen.what == "people":
+        making = {person.name: partial(generated, person) for person in kit_people([chosen.photos])}
+    else:
+        make, first = {"bodies": (body, BODY_SEED), "painted": (painted, PAINTED_SEED)}[chosen.what]
+        making = {str(seed): partial(make, seed) for seed in range(first, first + chosen.people)}
+    for name, sample in making.items():
+        if not (folder / f"{name}.npz").exists():
             try:
-                keep(folder / f"{person.name}.npz", cloned(person))
+                keep(folder / f"{name}.npz", sample())
             except ClonerError as error:  # the product refuses a photo now and then, and says so: no measures then
-                print(f"{person.name}: {error}", flush=True)
+                print(f"{name}: {error}", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,11 @@
 """Write ``cloner_models/measures.npz`` from the samples of ``benchmarks/measure_samples.py``.
 
-``python benchmarks/measure_table.py SAMPLES`` learns the table from SAMPLES/people and SAMPLES/bodies; without bodies
-the family's own numbers stay as they are. Nobody of the generator wears tight clothes, and its cloth has no folds at
-the outline: tight clothes and rumples stay too, learned from painted people and kept in the file. ``--check`` writes
-nothing: it prints the errors on the people, each judged by a table made without them. No sample visitor takes part.
+``python benchmarks/measure_table.py SAMPLES`` learns the table from SAMPLES/people, SAMPLES/painted and SAMPLES/bodies;
+without bodies the family's own numbers stay as they are. Nobody of the generator wears tight clothes, and its cloth has
+no folds at the outline: what tight clothes add and rumples stay too, learned from painted people and kept in the file.
+What is seen under clothes is learned from both, as the label net, which knows the generator's people alone, sees
+too slim a body under tight clothes. ``--check`` writes nothing: it prints the errors on the people, each judged by a
+table made without them. No sample visitor takes part.
 """
 
 from __future__ import annotations
@@ -20,16 +22,19 @@ import numpy as np
 from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import FILE, load_measure_prior
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows
+from cloner.geometry.measurement.prior import MeasurePrior
 from cloner.geometry.measurement.under_clothes import (
     LOWER,
     NINE_IN_TEN,
     UPPER,
     Evidence,
-    MeasurePrior,
     estimate,
 )
 from cloner.records.measures import FITS, Cover
 
+#: People as ``measure_samples.py`` keeps them; means and covariances of a family.
+Samples = Sequence[Mapping[str, Any]]
+Bodies = tuple[np.ndarray, np.ndarray]
 MODELS = Path(__file__).resolve().parents[1] / "generic_models" / "cloner_models"
 DRAWS = 40_000
 SEX = 0  # row of the phenotype that tells women (0) from men (1)
@@ -64,6 +69,8 @@ TIGHT, REGULAR, LOOSE = 0, 1, 2
 WEAR_TIGHT = 0.15
 #: A fit of clothes is told by this many people at least before its spread stands for itself.
 FEW = 4.0
+#: A girth that fewer people show under clothes is not read there.
+ENOUGH = 20
 #: Share of the people left out that lie within the +-; nine in ten are promised of others.
 COVER = 0.92
 FOLDS = 5
@@ -83,7 +90,7 @@ def garments() -> np.ndarray:
     return np.array(codes)
 
 
-def family(samples: Sequence[Mapping[str, Any]], rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+def family(samples: Samples, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     """Return means (2, K) and covariances (2, K, K) of measures over stature for women and men.
 
     A measure is nearly linear in the shape: a ridge plane over the coefficients, drawn from many times.
@@ -112,7 +119,7 @@ def covers_of(sample: Mapping[str, Any]) -> dict[str, Cover]:
     return {name[6:]: Cover(tuple(None if s < 0 else bool(s) for s in sample[name]), 1.0) for name in names}
 
 
-def fits_of(people: Sequence[Mapping[str, Any]]) -> np.ndarray:
+def fits_of(people: Samples) -> np.ndarray:
     """Return (N, 2) the place in `FITS` of what each person wears above and below: two means of what clothes add."""
     found = []
     for telling in TELLING:
@@ -184,7 +191,27 @@ def tight(naked: np.ndarray, bias: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return mean, own["painted_ease_covariance"] + erred
 
 
-def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]]) -> MeasurePrior:
+def seen_under(people: Samples) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return shift (K,), gain (K,) and the rest's covariance (K, K) of girths seen under clothes, over stature.
+
+    Bare skin does not count; a girth that fewer than `ENOUGH` show has no gain.
+    """
+    stature = np.array([one["stature_m"] for one in people])[:, None]
+    seen, naked = (np.array([one[name] for one in people]) / stature for name in ("under", "naked"))
+    told = ~np.isnan(seen) & ~np.array([bare_rows(covers_of(one)) for one in people])
+    shift, gain, rest = np.zeros(seen.shape[1]), np.zeros(seen.shape[1]), np.zeros(seen.shape)
+    for key in np.flatnonzero(told.sum(axis=0) >= ENOUGH):
+        own = told[:, key]
+        gain[key], shift[key] = np.polyfit(naked[own, key], seen[own, key], 1)
+        rest[own, key] = seen[own, key] - shift[key] - gain[key] * naked[own, key]
+    together = told.astype(float).T @ told.astype(float)
+    covariance = rest.T @ rest / np.maximum(together, 1.0)
+    alike = (1.0 - SHRINK) * covariance + SHRINK * np.diag(np.diag(covariance))
+    values, vectors = np.linalg.eigh(alike)
+    return shift, np.maximum(gain, 0.0), (vectors * np.maximum(values, 0.0)) @ vectors.T
+
+
+def table(own: Bodies, people: Samples, in_tight: Samples) -> MeasurePrior:
     """Return the table of a family's means and covariances and of dressed people, without the spread of its errors."""
     garment, fits, before = garments(), fits_of(people), load_measure_prior()
     added = np.array([one["shown"] - one["naked"] for one in people])
@@ -198,10 +225,12 @@ def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]
     shares = np.array([(1.0 - WEAR_TIGHT) * (fits == fit).mean() for fit in range(len(FITS))])
     shares[TIGHT] = WEAR_TIGHT
     gap = float(np.median([one["gap_mm"] for one in people]))
+    under = seen_under([*people, *in_tight])
     flat = (1.0, np.log(shares / shares[0]), np.full(len(ALL_KEYS), NINE_IN_TEN))
     return MeasurePrior(
-        *own, mean, spread, bias, covariance, *flat, before.rumple_means, before.rumple_spreads, garment, gap
-    )
+        *own, mean, spread, bias, covariance, *flat, before.rumple_means, before.rumple_spreads, garment, gap,
+        *under,
+    )  # fmt: skip
 
 
 def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
@@ -209,32 +238,34 @@ def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
     hidden = np.asarray(sample["hidden"], dtype=bool) | (bool(sample["around_legs"]) & UNDER_SKIRTS)
     shown = np.where(hidden, np.nan, sample["shown"])
     noise = max(1.0, float(sample["gap_mm"]) / prior.gap_mm)
-    return Evidence(shown, float(sample["stature_m"]), bare_rows(covers_of(sample)), {}, noise, sample["rumple"])
+    return Evidence(
+        shown, float(sample["stature_m"]), bare_rows(covers_of(sample)), {}, noise, sample["rumple"], sample["under"]
+    )
 
 
-def left_out(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
+def left_out(own: Bodies, people: Samples, in_tight: Samples) -> tuple[np.ndarray, np.ndarray]:
     """Return errors and deviations (N, K) mm of people judged by tables made without them."""
     errors, deviations = np.zeros((len(people), len(ALL_KEYS))), np.zeros((len(people), len(ALL_KEYS)))
     for fold in range(FOLDS):
-        prior = table(own, [one for k, one in enumerate(people) if k % FOLDS != fold])
+        prior = table(own, [one for k, one in enumerate(people) if k % FOLDS != fold], in_tight)
         for k in range(fold, len(people), FOLDS):
             found = estimate(evidence(people[k], prior), prior)
             errors[k], deviations[k] = found.mm - people[k]["naked"], found.deviation_mm
     return errors, deviations
 
 
-def make(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]]) -> MeasurePrior:
+def make(own: Bodies, people: Samples, in_tight: Samples) -> MeasurePrior:
     """Return the whole table; its spread comes from people judged by a table made without them."""
-    errors, deviations = left_out(own, people)
+    errors, deviations = left_out(own, people, in_tight)
     ratios = np.abs(errors) / deviations
     each, common = np.quantile(ratios, COVER, axis=0), np.quantile(ratios, COVER)
     spread = (len(people) * each + 20.0 * common) / (len(people) + 20.0)  # few people: lean on what all have in common
-    return replace(table(own, people), spread=spread)
+    return replace(table(own, people, in_tight), spread=spread)
 
 
-def told(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]], spread: np.ndarray) -> None:
+def told(own: Bodies, people: Samples, in_tight: Samples, spread: np.ndarray) -> None:
     """Print bias, mean error, coverage and median +- of every measure of people left out."""
-    errors, deviations = left_out(own, people)
+    errors, deviations = left_out(own, people, in_tight)
     half, shown = deviations * spread, np.array([one["shown"] - one["naked"] for one in people])
     print(f"{len(people)} people left out; mm: bias and mean error, of the outline; +- and its coverage")
     for k, key in enumerate(ALL_KEYS):
@@ -269,13 +300,14 @@ def main() -> None:
     parser.add_argument("samples", type=Path)
     parser.add_argument("--check", action="store_true")
     chosen = parser.parse_args()
-    shipped, bodies, people = load_measure_prior(), read(chosen.samples / "bodies"), read(chosen.samples / "people")
+    shipped = load_measure_prior()
+    bodies, people, in_tight = (read(chosen.samples / name) for name in ("bodies", "people", "painted"))
     own = family(bodies, np.random.default_rng(0)) if bodies else (shipped.means, shipped.covariances)
-    prior = shipped if chosen.check else make(own, people)
+    prior = shipped if chosen.check else make(own, people, in_tight)
     if not chosen.check:
         names = [path.stem for path in sorted((chosen.samples / "people").glob("*.npz"))]
         write(prior, names, f"{len(bodies)} of the generic family" if bodies else "the family's of the table before")
-    told(own, people, prior.spread)
+    told(own, people, in_tight, prior.spread)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from dataclasses import fields
 import numpy as np
 
 from cloner.geometry.measurement.measuring import ALL_KEYS
-from cloner.geometry.measurement.under_clothes import MeasurePrior
+from cloner.geometry.measurement.prior import MeasurePrior
 
 FILE = "measures.npz"
 

@@ -1,4 +1,4 @@
-"""The label net: a small decoder over features of the pose and selfie nets, for labels and for points under clothes.
+"""The label net: a small decoder over features of the pose and selfie nets, for labels and for what clothes hide.
 
 The two nets were taught by their makers on photographs of real people and stay as they are; the decoder's weights come
 from ``generic_models/build/train_labels.py``. It is small enough to be computed with matrix products and OpenCV's
@@ -25,8 +25,9 @@ Floats = NDArray[np.float32]
 
 #: Side of the crop that the nets see and of the scores that come back, px.
 SIDE_PX: Final = 256
-#: Side of the maps of points, px.
+#: Sides of the maps of points and of parts, px.
 POINT_SIDE_PX: Final = 64
+PART_SIDE_PX: Final = 128
 WIDEST: Final = _CALIBRATED.number("widest", "spreads")
 #: Which features enter at which side of the pyramid, px; 9 and 10 are the person masks of both nets.
 LEVELS: Final = ((16, (3, 8)), (32, (2, 7)), (64, (1, 4, 6)), (128, (0, 5)), (256, (9, 10)))
@@ -48,14 +49,17 @@ class Scores(NamedTuple):
         The classes are ``cloner.records.labels.Label``.
     points : (21, 64, 64) float32
         Where each of ``cloner.generic.seen_points.NAMES`` lies.
+    parts : (15, 128, 128) float32
+        Of the naked body, in the order of ``cloner.labels.naked_edges``; 0 is none.
     """
 
     classes: Floats
     points: Floats
+    parts: Floats
 
 
 def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
-    """Return the log-odds of every class and of every point's place for a crop.
+    """Return the log-odds of every class, of every point's place and of every part of the naked body for a crop.
 
     Parameters
     ----------
@@ -69,6 +73,7 @@ def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
     picture = np.ascontiguousarray(rgb.transpose(2, 0, 1), np.float32) / np.float32(127.5) - np.float32(1.0)
     x: Floats | None = None
     points: Floats | None = None
+    parts: Floats | None = None
     for side, entering in LEVELS:
         joined = [planes[k] for k in entering]
         if side >= SIDE_PX // 2:
@@ -84,9 +89,12 @@ def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
             block += 1
         if side == POINT_SIDE_PX:
             points = _mixed(weights, "p64", x)
+        if side == PART_SIDE_PX:
+            parts = _mixed(weights, "p128", x)
     assert x is not None
     assert points is not None
-    return Scores(_mixed(weights, "o", x), points)
+    assert parts is not None
+    return Scores(_mixed(weights, "o", x), points, parts)
 
 
 def shares_of(scores: Floats, axis: int | tuple[int, int] = 0) -> Floats:

@@ -172,6 +172,8 @@ class Proposal:
         Centres of the person's left and right iris; zeros where no face was found or nobody looked.
     seen_px : (21, 2) float64
         Joints and points under clothes, ``cloner.generic.seen_points.NAMES``; no rows where nobody looked for them.
+    naked_px : (N, 4) float64
+        Edges of the body under clothes, ``cloner.labels.naked_edges``; no rows where nobody looked for them.
     """
 
     view: ViewId
@@ -185,6 +187,7 @@ class Proposal:
     barefoot: bool = False
     irises_px: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 2)))
     seen_px: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 2)))
+    naked_px: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 4)))
 
     def __post_init__(self) -> None:
         freeze(
@@ -197,6 +200,7 @@ class Proposal:
             labels=(np.uint8, (None, None)),
             irises_px=(np.float64, (2, 2)),
             seen_px=(np.float64, (None, 2)),
+            naked_px=(np.float64, (None, 4)),
         )
 
 

@@ -17,7 +17,8 @@ from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.labels.crops import cuts, person_crop
-from cloner.labels.photo import Looks, label_photo, look
+from cloner.labels.looks import Looks, look
+from cloner.labels.photo import label_photo
 from cloner.records.photos import Photo
 from cloner.vision.segmentation.masks import refine_mask
 
@@ -75,6 +76,8 @@ class Figure:
         As :func:`cloner.detectors.face.found.face_in` gives it.
     seen_px : (21, 2) or (0, 2)
         Joints and points under clothes.
+    naked_px : (N, 4)
+        Edges of trunk and thighs under clothes.
     """
 
     pose_px: NDArray[np.float64]
@@ -84,6 +87,7 @@ class Figure:
     labels: NDArray[np.uint8]
     face: Face
     seen_px: NDArray[np.float64]
+    naked_px: NDArray[np.float64]
 
 
 def find_figure(photo: Photo) -> Figure:
@@ -156,7 +160,7 @@ def _figure(
     if shown is None and visibility.any():
         face = face_behind_hair(photo, pose_px, labels) or face
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
-    return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.seen_px)
+    return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.seen_px, looks.naked_px)
 
 
 def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:

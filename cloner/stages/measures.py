@@ -15,8 +15,10 @@ from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
-from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Estimate, Evidence, MeasurePrior, estimate
+from cloner.geometry.measurement.prior import MeasurePrior
+from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Estimate, Evidence, estimate
 from cloner.measure.covering import covers
+from cloner.measure.naked_girths import naked_girths
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
 from cloner.records.arrays import Array
@@ -51,6 +53,7 @@ def measured(
     noise: float = 1.0,
     rumple_mm: Array = NO_RUMPLE_MM,
     hidden: NDArray[np.bool_] = NOT_HIDDEN,
+    under_mm: Array | None = None,
 ) -> tuple[MeasureSet, tuple[str, ...]]:
     """Return the measures of a photographed person and sentences about what makes some of them doubtful.
 
@@ -67,12 +70,14 @@ def measured(
         How rumpled the outline of the clothes is above and below the waist; NaN where not seen.
     hidden : (K,) bool
         Where an arm hides the depth of the trunk in the side photo.
+    under_mm : (K,) float64, optional
+        Girths that the label net sees under the clothes, NaN where it sees none.
     """
     prior = load_measure_prior()
     shown = np.array([shown_mm.get(key, np.nan) for key in ALL_KEYS])
     shown[hidden] = np.nan  # left to its neighbours: of eight people as good as larger noise (52 against 53 mm)
     tape = {ALL_KEYS.index(key): value for key, value in person.tape_mm}
-    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm)
+    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm, under_mm)
     photos_say = estimate(without, prior)
     found = estimate(replace(without, tape_mm=tape), prior) if tape else photos_say
     share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
@@ -142,6 +147,7 @@ def run(
     if not outlined:
         return StageResult({"measures": unseen(shown)})
     tick(0.4)
+    whole = shown
     regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
     if any(region.name == AROUND_LEGS for region in regions):
         shown = {key: value for key, value in shown.items() if key not in LOOSE_KEYS}
@@ -152,5 +158,6 @@ def run(
     rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
     noise = max(1.0, gap / prior.gap_mm)
     hidden = hidden_rows(body.mesh.vertices_m, seen)
-    found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple, hidden=hidden)
+    under = naked_girths(body.mesh, whole, seen, proposals)
+    found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple, hidden=hidden, under_mm=under)
     return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)

@@ -72,6 +72,7 @@ def propose_within(photo: Photo, figure: Figure) -> Proposal:
         photo.view.is_body and stands_barefoot(figure.labels, figure.seen_px[ANKLES]),
         irises,
         figure.seen_px,
+        figure.naked_px,
     )
     return free_profile(photo, found) if photo.view is ViewId.FACE_SIDE else found
 

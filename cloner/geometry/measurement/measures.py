@@ -95,13 +95,18 @@ def slice_points(vertices_m: Array, triangles: Triangles, point_m: Array, normal
     point_m : (3,) a point of the plane
     normal : (3,) the plane's direction, any length
     """
+    return slice_values(vertices_m, vertices_m, triangles, point_m, normal)
+
+
+def slice_values(values: Array, vertices_m: Array, triangles: Triangles, point_m: Array, normal: Array) -> Array:
+    """Return (N, D) values (V, D) of the vertices where the triangles' edges cross a plane, as in `slice_points`."""
     side = (vertices_m - point_m) @ normal
     edges = sides(triangles)
     first, second = edges[:, 0], edges[:, 1]
     crossing = (side[first] < 0.0) != (side[second] < 0.0)
     first, second = first[crossing], second[crossing]
     share = side[first] / (side[first] - side[second])
-    return np.asarray(vertices_m[first] + share[:, None] * (vertices_m[second] - vertices_m[first]))
+    return np.asarray(values[first] + share[:, None] * (values[second] - values[first]))
 
 
 def girth_mm(vertices_m: Array, triangles: Triangles, point_m: Array, normal: Array) -> float:

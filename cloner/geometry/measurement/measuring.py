@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.measurement.lengths import lengths_mm
-from cloner.geometry.measurement.measures import UP, TapeRules, girth_mm, girth_planes, read_mm
+from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, read_mm
 from cloner.records.arrays import Array
 from cloner.records.measures import MEASURE_KEYS, MEASURES, Cover
 
@@ -53,23 +53,21 @@ def measures_mm(vertices_m: Array, joints_m: Array, rules: TapeRules, floor_m: f
     found = {key: read_mm(vertices_m, own) for key, own in planes.items()}
     levels = {name: float(planes[f"{name}_girth"][0].point_m[1]) for name in ("bust", "waist", "hip")}
     found |= lengths_mm(vertices_m, joints_m, rules, levels, floor_m)
-    found |= dict(zip(SLICE_KEYS, _slices_mm(vertices_m, joints_m, rules), strict=True))
+    found |= {key: read_mm(vertices_m, own) for key, own in slice_planes(vertices_m, joints_m, rules).items()}
     return {key: found[key] for key in ALL_KEYS}
-
-
-def _level_mm(vertices_m: Array, triangles: NDArray[np.int32], height_m: float) -> float:
-    return girth_mm(vertices_m, triangles, np.array([0.0, height_m, 0.0]), UP)
 
 
 def _axes(joints_m: Array, pairs: NDArray[np.int32]) -> Array:
     return np.asarray(joints_m[pairs[:, 1]] - joints_m[pairs[:, 0]])
 
 
-def _slices_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> Iterator[float]:
-    """Yield the girths of `SLICES`; limbs are averaged over both sides."""
+def slice_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, tuple[Plane, ...]]:
+    """Return where the tape lies at each of `SLICES` on a body in rest pose; limbs have two planes."""
     crotch, armpit = (float(vertices_m[rules.points[name], 1]) for name in ("crotch", "armpit_left"))
-    for place in TRUNK_SLICES:
-        yield _level_mm(vertices_m, rules.torso, armpit + place * (crotch - armpit))
+    heights = [armpit + place * (crotch - armpit) for place in TRUNK_SLICES]
+    planes: list[tuple[Plane, ...]] = [
+        (Plane(np.array([0.0, height, 0.0]), UP, rules.torso, ("torso", "pelvis")),) for height in heights
+    ]
     parts = {
         "upper_arm": ((rules.left_arm, rules.right_arm), rules.arm_joints),
         "forearm": ((rules.left_forearm, rules.right_forearm), rules.forearm_joints),
@@ -80,11 +78,10 @@ def _slices_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> Iterator
         triangles, joints = parts[limb]
         axes = _axes(joints_m, joints)
         for place in places:
-            both = [
-                girth_mm(vertices_m, own, joints_m[pair[0]] + place * axis, axis)
-                for own, pair, axis in zip(triangles, joints, axes, strict=True)
-            ]
-            yield float(np.mean(both))
+            both = zip(("left", "right"), triangles, joints, axes, strict=True)
+            planes.append(tuple(Plane(joints_m[pair[0]] + place * axis, axis, own, (f"{side}_{limb}",))
+                                for side, own, pair, axis in both))  # fmt: skip
+    return dict(zip(SLICE_KEYS, planes, strict=True))
 
 
 def bare_rows(covers: Mapping[str, Cover]) -> NDArray[np.bool_]:

@@ -7,8 +7,8 @@ above and below the waist fit tight, regular or loose, and each pair of fits giv
 Gaussian estimate and a likelihood; the answer is their mixture. A body has hollows at
 waist, knees and armpits that cloth bridges, so many slices tell tight clothes on a
 stout person from loose ones on a slim person, and folds at the outline tell them apart
-further. Where a photo shows bare skin nothing is taken off, and what a tape measured is
-known.
+further. Where a photo shows bare skin nothing is taken off, what a tape measured is
+known, and what a net sees of the body under the clothes counts as a rougher tape.
 
 References
 ----------
@@ -27,7 +27,8 @@ from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 from scipy.special import ndtr
 
-from cloner.records.arrays import Array, freeze
+from cloner.geometry.measurement.prior import MeasurePrior
+from cloner.records.arrays import Array
 from cloner.records.measures import FITS
 
 Rows = NDArray[np.intp]
@@ -51,61 +52,6 @@ HALVINGS: Final = 14
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class MeasurePrior:
-    """What measures people of a family have, what clothes add, and how the fit errs; K measures in a fixed order.
-
-    Attributes
-    ----------
-    means : (S, K) float64
-        Mean measure over stature, mm a metre, one row for each sex; all equally frequent.
-    covariances : (S, K, K) float64
-    ease_mm : (F, K) float64
-        What the clothes of each fit of `FITS` add to what a clone shows.
-    ease_covariances : (F, K, K) float64, mm²
-    fit_bias : (K,) float64
-        Mean relative error of the clone's skin against the dressed person, over all fits of clothes.
-    fit_covariance : (K, K) float64
-        Of that error.
-    temper : float
-        Power of the likelihoods, below 1: the fit's errors are no clean Gaussians. Measured on known people.
-    log_odds : (F,) float64
-        Added to the likelihoods' logarithms for each garment of a fit, measured likewise.
-    spread : (K,) float64
-        Half of nine in ten of the errors, in standard deviations of the estimate; measured on known people.
-    rumple_means, rumple_spreads : (F, 2) float64
-        Mean and standard deviation of the logarithm of the outline's rumple in mm, above and below the waist.
-    garment : (K,) int64
-        0 where clothes add nothing, `UPPER`, `LOWER`, or both where the wider one makes the outline.
-    gap_mm : float
-        Mean gap between the clone's and the photos' outlines over those people.
-    """
-
-    means: Array
-    covariances: Array
-    ease_mm: Array
-    ease_covariances: Array
-    fit_bias: Array
-    fit_covariance: Array
-    temper: float
-    log_odds: Array
-    spread: Array
-    rumple_means: Array
-    rumple_spreads: Array
-    garment: NDArray[np.int64]
-    gap_mm: float
-
-    def __post_init__(self) -> None:
-        count = len(self.fit_bias)
-        vectors = {name: (np.float64, (count,)) for name in ("fit_bias", "spread")}
-        tables = {"means": (np.float64, (None, count)), "ease_mm": (np.float64, (len(FITS), count))}
-        stacks = {name: (np.float64, (None, count, count)) for name in ("covariances", "ease_covariances")}
-        vectors["log_odds"] = (np.float64, (len(FITS),))
-        tables |= {name: (np.float64, (len(FITS), 2)) for name in ("rumple_means", "rumple_spreads")}
-        one = {"fit_covariance": (np.float64, (count, count)), "garment": (np.int64, (count,))}
-        freeze(self, **vectors, **tables, **stacks, **one)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
     """What is known of one person.
 
@@ -122,6 +68,8 @@ class Evidence:
         How much worse this clone fits its outlines than those the prior was measured on, as a ratio.
     rumple_mm : (2,) float64
         How rumpled the outline of the clothes is above and below the waist; NaN where not seen.
+    under_mm : (K,) float64
+        Girths as a net sees them under the clothes; NaN where not seen; none at all by default.
     """
 
     shown_mm: Array
@@ -130,6 +78,7 @@ class Evidence:
     tape_mm: Mapping[int, float] = field(default_factory=dict)
     noise: float = 1.0
     rumple_mm: Array = field(default_factory=lambda: np.full(2, np.nan))
+    under_mm: Array | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -179,6 +128,7 @@ def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
     noise += TAPE_MM**2 * np.eye(len(rows))
     taped = np.array(sorted(evidence.tape_mm), dtype=np.intp)
     tape = np.array([evidence.tape_mm[row] for row in taped])
+    seen_rows, under, under_noise = _under(evidence, prior)
     size = (len(prior.means), len(FITS), len(FITS))
     logs, means, variances = (
         np.zeros(size),
@@ -188,14 +138,26 @@ def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
     for sex, (mean, covariance) in enumerate(zip(prior.means, prior.covariances, strict=True)):
         start = (evidence.stature_m * mean, evidence.stature_m**2 * covariance)
         known, told = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
-        for upper, lower, ease, spread in _garments(prior, evidence.bare):
+        known, guessed = _conditioned(*known, seen_rows, under, under_noise)
+        for upper, lower, which in _garments(prior, evidence.bare):
+            ease, spread = _of_fits(which, prior.ease_mm), _of_fits(which, prior.ease_covariances)
             wanted = shown - ease[rows]
             body, seen = _conditioned(*known, rows, wanted, noise + spread[np.ix_(rows, rows)])
-            logs[sex, upper, lower] = told + seen
+            logs[sex, upper, lower] = told + guessed + seen
             means[sex, upper, lower] = body[0]
             variances[sex, upper, lower] = np.diag(body[1])
     upper_folds, lower_folds = (_folded(evidence.rumple_mm, prior, place) for place in (0, 1))
     return Hypotheses(logs, upper_folds[:, None] + lower_folds, means, np.maximum(variances, 0.0))
+
+
+def _under(evidence: Evidence, prior: MeasurePrior) -> tuple[Rows, Array, Array]:
+    """Return rows, values and noise of the girths that are seen under clothes, as a tape would have read them."""
+    seen = np.full(len(prior.under_gain), np.nan) if evidence.under_mm is None else evidence.under_mm
+    rows = np.flatnonzero(~np.isnan(seen) & ~evidence.bare & (prior.under_gain > 0.0))
+    gain = prior.under_gain[rows]
+    values = (seen[rows] - evidence.stature_m * prior.under_shift[rows]) / gain
+    noise = evidence.stature_m**2 * prior.under_covariance[np.ix_(rows, rows)] / np.outer(gain, gain)
+    return rows, values, noise
 
 
 def _folded(rumple_mm: Array, prior: MeasurePrior, place: int) -> Array:
@@ -264,18 +226,21 @@ def _conditioned(
     return (mean + gain @ gap, covariance - gain @ covariance[rows]), likelihood
 
 
-def _garments(prior: MeasurePrior, bare: NDArray[np.bool_]) -> Iterator[tuple[int, int, Array, Array]]:
-    """Yield fit above and below the waist, mean ease (K,) and its covariance (K, K), of every pair of fits.
-
-    Measures under cloth of one fit vary together; those of different fits do not.
-    """
+def _garments(prior: MeasurePrior, bare: NDArray[np.bool_]) -> Iterator[tuple[int, int, Rows]]:
+    """Yield fit above and below the waist and the fit (K,) at each measure, -1 where none is worn, of all pairs."""
     for upper in range(len(FITS)):
         for lower in range(len(FITS)):
             which = np.choose(prior.garment, (-1, upper, lower, max(upper, lower)))
-            which = np.where(bare, -1, which)
-            ease = np.where(which < 0, 0.0, prior.ease_mm[np.maximum(which, 0), np.arange(len(which))])
-            spread = np.zeros_like(prior.fit_covariance)
-            for fit in {upper, lower}:
-                own = which == fit
-                spread = np.where(own[:, None] & own[None], prior.ease_covariances[fit], spread)
-            yield upper, lower, ease, spread
+            yield upper, lower, np.where(bare, -1, which)
+
+
+def _of_fits(which: Rows, values: Array) -> Array:
+    """Return (K,) or (K, K) of values (F, K) or (F, K, K) of each measure's fit (K,), 0 where none is worn.
+
+    Measures under cloth of one fit vary together; those of different fits do not.
+    """
+    found = np.zeros(values.shape[1:])
+    for fit in range(len(values)):
+        own = which == fit
+        found = np.where(own if values.ndim == 2 else own[:, None] & own[None], values[fit], found)
+    return found

@@ -11,7 +11,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, measures_mm
-from cloner.geometry.measurement.under_clothes import Estimate, Evidence, MeasurePrior, estimate
+from cloner.geometry.measurement.prior import MeasurePrior
+from cloner.geometry.measurement.under_clothes import Estimate, Evidence, estimate
 
 STATURE_M = 1.72
 COUNT = len(ALL_KEYS)
@@ -134,3 +135,19 @@ def test_the_table_is_that_of_the_shipped_human() -> None:
     for covariance in (*prior.covariances, *prior.ease_covariances, prior.fit_covariance):
         assert np.linalg.eigvalsh(covariance).min() > -1e-4 * np.linalg.eigvalsh(covariance).max()
     assert (np.diff(prior.ease_mm[:, [WAIST, HIP, CALF]], axis=0) > 0).all(), "looser clothes add more"
+
+
+def test_what_a_net_sees_under_clothes_is_a_rougher_tape() -> None:
+    usual = load_measure_prior().means.mean(axis=0)
+    drawn_to_the_mean = {"under_shift": 0.3 * usual, "under_gain": np.full(COUNT, 0.7)}
+    prior = replace(exact_fit(), **drawn_to_the_mean, under_covariance=np.diag((0.02 * usual) ** 2))
+    with_it, without = [], []
+    for body in bodies(30):
+        shown = body + prior.ease_mm[2]
+        under = np.full(COUNT, np.nan)
+        under[[WAIST, HIP]] = (0.3 * STATURE_M * usual + 0.7 * body)[[WAIST, HIP]]
+        estimates = [estimate(Evidence(shown, STATURE_M, NOTHING_BARE, under_mm=own), prior) for own in (under, None)]
+        with_it.append(estimates[0].mm[WAIST] - body[WAIST])
+        without.append(estimates[1].mm[WAIST] - body[WAIST])
+        assert estimates[0].deviation_mm[WAIST] < estimates[1].deviation_mm[WAIST]
+    assert np.abs(with_it).mean() < 0.6 * np.abs(without).mean()

@@ -9,7 +9,8 @@ import pytest
 
 from cloner.detectors.nets.litert import detect_face, detect_pose, label_features
 from cloner.frames import ViewId
-from cloner.labels.photo import label_photo, look
+from cloner.labels.looks import look
+from cloner.labels.photo import label_photo
 from cloner.records.labels import CLOTHES, Label, shows
 from cloner.vision.segmentation.masks import refine_mask
 from kit.visitors import NAMES, SETS, photo, truth_mask

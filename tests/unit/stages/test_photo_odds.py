@@ -12,8 +12,8 @@ from cloner.detectors.nets.placing import stands
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.labels.photo import Looks
-from cloner.labels.photo import look as whole_look
+from cloner.labels.looks import Looks
+from cloner.labels.looks import look as whole_look
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Corrections, Proposals, ViewPoints
@@ -127,7 +127,7 @@ def _seeing(monkeypatch, soft):
 
     def look(*given, **more):
         seen = whole_look(*given, **more)
-        return Seen(seen.whole, seen.near, seen.box, seen.head, seen.seen_px)
+        return Seen(seen.whole, seen.near, seen.box, seen.head, seen.seen_px, seen.naked_px)
 
     monkeypatch.setattr(figures, "look", look)
 
