@@ -25,27 +25,22 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generic_models" / 
 
 from body_truth import photograph
 from painted_people_bodies import random_body
+from painted_people_pictures import BACKGROUNDS
 
-from cloner.body.outlined import gaps_mm, outlined_photos, see
+from cloner.body.outlined import outlined_photos
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.rulers import apply, fit_similarity
 from cloner.evaluate.truths.kit import kit_people
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
-from cloner.measure.covering import covers
-from cloner.measure.naked_girths import naked_girths
-from cloner.measure.rumpled import garments_rumples_mm
-from cloner.measure.side_arms import hidden_rows
+from cloner.measure.gathered import gathered
 from cloner.project.folder import read_corrections
-from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import Cover
 from cloner.testing import first_values, folder_values, run_stages, up_to
 
 #: First seeds of the bodies without photos, and of painted people.
 BODY_SEED, PAINTED_SEED = 710_000, 720_000
-#: What painted people stand before, one after another.
-BACKGROUNDS = ("plain", "cluttered", "low_contrast")
 #: The stages up to the obeyed person; hair and textures measure nothing.
 LAST_STAGE = "obeyed"
 #: Skin vertices that carry a joint along with a posed body.
@@ -81,20 +76,16 @@ def naked_mm(person: Path) -> np.ndarray:
 def cloned(values: Mapping[str, Any]) -> dict[str, Any]:
     """Return what a clone of one photographed person measures."""
     found, _ = run_stages(values, up_to(LAST_STAGE))
-    joined, silhouettes, body = found["obeyed"], found["obeyed_silhouettes"], found["body"]
-    cover = covers(found["proposals"], joined)
-    photos = outlined_photos(found["phenotype"], silhouettes, found["proposals"], body.views)
-    seen = {view: see(body.mesh, photo) for view, photo in photos.items()}
-    regions = [region.name for silhouette in silhouettes.views.values() for region in silhouette.loose]
-    shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
+    photos = outlined_photos(found["phenotype"], found["obeyed_silhouettes"], found["proposals"], found["body"].views)
+    told = gathered(found["obeyed"], found["body"].mesh, photos, found["obeyed_silhouettes"], found["proposals"])
     return {
-        "shown": np.array(list(shown.values())),
-        "under": naked_girths(body.mesh, shown, seen, found["proposals"]),
-        "rumple": garments_rumples_mm(seen, photos, silhouettes, cover),
-        "hidden": hidden_rows(body.mesh.vertices_m, seen),
-        "around_legs": AROUND_LEGS in regions,
-        "gap_mm": float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in photos.items()])),
-    } | {f"cover_{name}": flags(own) for name, own in cover.items()}
+        "shown": np.array(list(told.shown_mm.values())),
+        "under": told.under_mm,
+        "rumple": told.rumple_mm,
+        "hidden": told.hidden,
+        "around_legs": told.around_legs,
+        "gap_mm": told.gap_mm,
+    } | {f"cover_{name}": flags(own) for name, own in told.cover.items()}
 
 
 def generated(person: Path) -> dict[str, Any]:

@@ -22,14 +22,8 @@ import numpy as np
 from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import FILE, load_measure_prior
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows
-from cloner.geometry.measurement.prior import MeasurePrior
-from cloner.geometry.measurement.under_clothes import (
-    LOWER,
-    NINE_IN_TEN,
-    UPPER,
-    Evidence,
-    estimate,
-)
+from cloner.geometry.measurement.prior import LOWER, UPPER, MeasurePrior
+from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Evidence, estimate
 from cloner.records.measures import FITS, Cover
 
 #: People as ``measure_samples.py`` keeps them; means and covariances of a family.

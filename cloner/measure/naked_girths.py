@@ -57,7 +57,9 @@ def naked_girths(mesh: BodyMesh, shown_mm: Mapping[str, float], seen: Mapping[Vi
     """
     found = np.full(len(ALL_KEYS), np.nan)
     rules = load_tape_rules()
-    at = girth_planes(mesh.vertices_m, mesh.joints_m, rules) | slice_planes(mesh.vertices_m, mesh.joints_m, rules)
+    wanted = [key for key, _ in ROUND]
+    at = girth_planes(mesh.vertices_m, mesh.joints_m, rules, wanted)
+    at |= slice_planes(mesh.vertices_m, mesh.joints_m, rules)
     for key, kinds in ROUND:
         across: list[Array] = []
         deep: list[Array] = []

@@ -77,7 +77,7 @@ class Figure:
     seen_px : (21, 2) or (0, 2)
         Joints and points under clothes.
     naked_px : (N, 4)
-        Edges of trunk and thighs under clothes.
+        Edges of the body under clothes.
     """
 
     pose_px: NDArray[np.float64]

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import gaps_mm, outlined_photos, see
+from cloner.body.outlined import outlined_photos
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
@@ -17,14 +17,10 @@ from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
 from cloner.geometry.measurement.prior import MeasurePrior
 from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Estimate, Evidence, estimate
-from cloner.measure.covering import covers
-from cloner.measure.naked_girths import naked_girths
-from cloner.measure.rumpled import garments_rumples_mm
-from cloner.measure.side_arms import hidden_rows
+from cloner.measure.gathered import gathered
 from cloner.records.arrays import Array
 from cloner.records.bodies import FineBody, Phenotype
 from cloner.records.clones import Joined
-from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import BY_KEY, FITS, MEASURE_KEYS, Cover, Measure, MeasureSet
 from cloner.records.photos import Person
 from cloner.records.points import Proposals
@@ -141,23 +137,21 @@ def run(
     tick: Callable[[float], None],
 ) -> StageResult:
     """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
-    prior = load_measure_prior()
-    shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
     outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     if not outlined:
+        shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
         return StageResult({"measures": unseen(shown)})
     tick(0.4)
-    whole = shown
-    regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
-    if any(region.name == AROUND_LEGS for region in regions):
-        shown = {key: value for key, value in shown.items() if key not in LOOSE_KEYS}
-    seen = {view: see(body.mesh, photo) for view, photo in outlined.items()}
-    gap = float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in outlined.items()]))
+    told = gathered(joined, body.mesh, outlined, silhouettes, proposals)
     tick(0.7)
-    cover = covers(proposals, joined)
-    rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
-    noise = max(1.0, gap / prior.gap_mm)
-    hidden = hidden_rows(body.mesh.vertices_m, seen)
-    under = naked_girths(body.mesh, whole, seen, proposals)
-    found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple, hidden=hidden, under_mm=under)
-    return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)
+    hidden_keys = LOOSE_KEYS if told.around_legs else frozenset()
+    found, warnings = measured(
+        {key: value for key, value in told.shown_mm.items() if key not in hidden_keys},
+        person,
+        told.cover,
+        noise=max(1.0, told.gap_mm / load_measure_prior().gap_mm),
+        rumple_mm=told.rumple_mm,
+        hidden=told.hidden,
+        under_mm=told.under_mm,
+    )
+    return StageResult({"measures": found}, (Residual("gap of the body's rim", told.gap_mm, "mm"),), warnings)

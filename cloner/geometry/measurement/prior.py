@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.arrays import Array, freeze
 from cloner.records.measures import FITS
+
+#: Garments in `MeasurePrior.garment`: bit 1 what is worn above the waist, bit 2 what is worn below.
+UPPER: Final = 1
+LOWER: Final = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -37,9 +37,6 @@ Rows = NDArray[np.intp]
 TAPE_MM: Final = 3.0
 #: Half of nine in ten of a normal distribution, in standard deviations.
 NINE_IN_TEN: Final = 1.645
-#: Garments in `MeasurePrior.garment`: bit 1 what is worn above the waist, bit 2 what is worn below.
-UPPER: Final = 1
-LOWER: Final = 2
 #: Share of regular and loose garments that hang as smooth as tight ones: pressed, stiff or heavy cloth. Judgement, not
 #: measured: painted cloth folds by its fit alone, while the suit of a sample visitor is smooth and 150 mm too wide.
 SMOOTH: Final = 0.2
