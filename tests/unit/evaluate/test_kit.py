@@ -16,6 +16,7 @@ from cloner.evaluate.scores import Score
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.evaluate.truths.kit import is_kit_person, kit_people, photos_alone, read_kit
 from cloner.evaluate.truths.labels import label_ious
+from cloner.evaluate.truths.truth import truth_camera
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.labels import LABELS
@@ -130,6 +131,13 @@ def test_the_truth_is_read_in_our_words(person):
     heights = truth.surface.points_m[truth.surface.kind == "bare", 1]
     assert heights.max() == pytest.approx(kit.bodies_m["body_front"][:, 1].max(), abs=0.01)
     assert truth.surface.marks_m["crotch"][1] > 0.5
+
+
+def test_a_lens_beside_the_picture_s_middle_is_refused_and_half_a_pixel_is_none():
+    held = {"width": 640, "height": 853, "cx": 320.0, "cy": 426.667, "fx": 900.0, "world_to_camera": np.eye(4)}
+    assert truth_camera(held).height_px == 853
+    with pytest.raises(ValueError, match="principal point"):
+        truth_camera(held | {"cy": 430.0})
 
 
 def test_a_broken_label_picture_is_refused(person):
