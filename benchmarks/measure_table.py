@@ -54,7 +54,7 @@ TELLING = (
 LARGEST = 0.15
 #: Floors: relative error of the fit, and spread of what clothes of one fit add, mm.
 FLOOR, LEAST_MM = 0.003, 6.0
-#: Shrinkage of the clothes' correlations towards none, and how many people's worth all fits together count in one
+#: Shrinkage of correlations towards none, and how many people's worth all fits together count in one
 #: fit's mean. Of shrinkages .2 and .5 the first errs by .4 mm less on people left out.
 SHRINK, LEAN = 0.2, 3.0
 #: Places in `FITS` that the generator's clothes take, by the smallest and largest girths they add, and how often tight
@@ -137,6 +137,15 @@ def fit_error(errors: np.ndarray, told: np.ndarray) -> tuple[np.ndarray, np.ndar
     return bias, np.diag(variance)
 
 
+def alike(products: np.ndarray) -> np.ndarray:
+    """Return (K, K) correlations from covariances, shrunk and clean: pairs may be seen on different people."""
+    spread = np.sqrt(np.diag(products))
+    found = products / np.maximum(np.outer(spread, spread), 1e-9)
+    values, vectors = np.linalg.eigh((1.0 - SHRINK) * found + SHRINK * np.eye(len(found)))
+    found = (vectors * np.maximum(values, 0.02)) @ vectors.T
+    return np.asarray(found / np.sqrt(np.outer(np.diag(found), np.diag(found))))
+
+
 def ease(added: np.ndarray, worn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return what clothes of each fit add, (F, K) mm, and its covariances, from (N, K) mm and fits (N, K), -1 none."""
     count = added.shape[1]
@@ -149,14 +158,9 @@ def ease(added: np.ndarray, worn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         mean[fit] = (np.where(own, added, 0.0).sum(axis=0) + LEAN * common) / (own.sum(axis=0) + LEAN)
         rest = np.where(own, added - mean[fit], 0.0)
         products = rest.T @ rest / (own.T.astype(float) @ own + FEW)
-        own_spread = np.sqrt(np.diag(products))
-        alike = products / np.maximum(np.outer(own_spread, own_spread), 1e-9)
-        alike = (1.0 - SHRINK) * alike + SHRINK * np.eye(count)
-        values, vectors = np.linalg.eigh(alike)  # pairs seen on different people make no clean covariance
-        alike = (vectors * np.maximum(values, 0.02)) @ vectors.T
-        alike /= np.sqrt(np.outer(np.diag(alike), np.diag(alike)))
-        spread = np.maximum(np.where(own_spread > 0.0, own_spread, np.sqrt(usual)), LEAST_MM)
-        covariance[fit] = np.outer(spread, spread) * alike
+        spread = np.sqrt(np.diag(products))
+        spread = np.maximum(np.where(spread > 0.0, spread, np.sqrt(usual)), LEAST_MM)
+        covariance[fit] = np.outer(spread, spread) * alike(products)
     changed = (garments() > 0).astype(float)
     return mean * changed, covariance * np.outer(changed, changed)
 
@@ -199,10 +203,9 @@ def seen_under(people: Samples) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         gain[key], shift[key] = np.polyfit(naked[own, key], seen[own, key], 1)
         rest[own, key] = seen[own, key] - shift[key] - gain[key] * naked[own, key]
     together = told.astype(float).T @ told.astype(float)
-    covariance = rest.T @ rest / np.maximum(together, 1.0)
-    alike = (1.0 - SHRINK) * covariance + SHRINK * np.diag(np.diag(covariance))
-    values, vectors = np.linalg.eigh(alike)
-    return shift, np.maximum(gain, 0.0), (vectors * np.maximum(values, 0.0)) @ vectors.T
+    products = rest.T @ rest / np.maximum(together, 1.0)
+    spread = np.sqrt(np.diag(products))
+    return shift, np.maximum(gain, 0.0), np.outer(spread, spread) * alike(products)
 
 
 def table(own: Bodies, people: Samples, in_tight: Samples) -> MeasurePrior:

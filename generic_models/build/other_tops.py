@@ -1,8 +1,9 @@
-"""People of the kit in tops that it seldom draws: such as leave shoulders bare, and such as have the skin's colour.
+"""People of the kit in clothes that it seldom draws: bare shoulders, tops of the skin's colour, tight clothes.
 
 It shows bare shoulders on one person in a hundred, and a decoder taught by the kit alone takes real people's for a top;
-taught by bare shoulders alone it takes tops of the skin's colour for skin. Both teach, as many of the one as of the
-other.
+taught by bare shoulders alone it takes tops of the skin's colour for skin. It never shows tight clothes, and a decoder
+that never saw them takes a trunk under them for narrower than it is. All three teach, as many of the one as of the
+others.
 """
 
 from __future__ import annotations
@@ -11,20 +12,65 @@ from typing import Any
 
 import numpy as np
 
-#: Seeds from here on show bare shoulders, and from here on tops of the skin's colour; the kit's own people have
+#: Seeds from here on show bare shoulders, tops of the skin's colour, and tight clothes; the kit's own people have
 #: smaller ones.
-FIRST_BARE_SEED, FIRST_SKIN_COLOURED_SEED = 60000, 70000
+FIRST_BARE_SEED, FIRST_SKIN_COLOURED_SEED, FIRST_TIGHT_SEED = 60000, 70000, 80000
 #: Kinds of tops and how often each is worn.
 KINDS = {"tank": 0.35, "straps": 0.2, "deep": 0.15, "strapless": 0.3}
 #: Where a garment's colour comes from, as the kit names it, and how often.
 COLOURS = {"any": 0.6, "dark": 0.2, "skin": 0.12, "hair": 0.08}
+#: Kinds of tight tops, how often, and their hem, the range of their sleeves and their necks, as the kit measures them.
+TIGHT_TOPS = {
+    "tee": (0.3, 0.6, (0.15, 0.4), ("crew", "v", "scoop")), "tank": (0.22, 0.6, (0.0, 0.0), ("scoop", "crew")),
+    "long": (0.2, 0.6, (0.8, 1.02), ("crew", "scoop")), "cropped": (0.13, 3.4, (0.0, 0.0), ("scoop", "crew")),
+    "none": (0.15, 5.6, (0.0, 0.0), ("crew",)),
+}  # fmt: skip
+#: How far tight trousers go down the leg, and how often: briefs, trunks, shorts, leggings.
+TIGHT_ENDS = {0.05: 0.15, 0.14: 0.15, 0.3: 0.2, 0.8: 0.15, 1.0: 0.35}
 
 
 def in_other_tops(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     """Return a drawn person of the kit in what the range of its seed wears."""
+    if person["seed"] >= FIRST_TIGHT_SEED:
+        return tightly_dressed(make_people, person)
     if person["seed"] >= FIRST_SKIN_COLOURED_SEED:
         return skin_coloured(make_people, person)
     return bared(make_people, person) if person["seed"] >= FIRST_BARE_SEED else person
+
+
+def worn(make_people: Any, person: dict[str, Any], rng: np.random.Generator, **how: Any) -> dict[str, Any]:
+    """Return a garment of a colour of its own, mostly plain, cut as told."""
+    source = str(rng.choice(list(COLOURS), p=list(COLOURS.values())))
+    colour = make_people.garment_colour(rng, source, person["_skin_col"], person["hair"]["col"])
+    return {**make_people.fabric(rng, colour, 0.6, rng.random() < 0.2), **how}
+
+
+def tightly_dressed(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
+    """Return a drawn person of the kit in clothes a few millimetres thick that lie on the skin, or in trunks alone."""
+    rng = np.random.default_rng([person["seed"], 717])
+    kinds = [kind for kind in TIGHT_TOPS if kind != ("none" if person["sex"] == "female" else "cropped")]
+    often = np.array([TIGHT_TOPS[kind][0] for kind in kinds])
+    kind = str(rng.choice(kinds, p=often / often.sum()))
+    _, hem, sleeves, necks = TIGHT_TOPS[kind]
+    # Layers below the kit's first leave a millimetre or two between cloth and skin.
+    top = worn(make_people, person, rng, sleeve=float(rng.uniform(*sleeves)), neck=str(rng.choice(necks)),
+               nw=float(rng.uniform(0.4, 0.9)), nd=float(rng.uniform(0.35, 1.1)), ndrop=float(rng.uniform(-0.1, 0.1)),
+               strap=float(rng.uniform(0.8, 1.4)), hem=hem + float(rng.uniform(-0.6, 0.6)), loose=0.0,
+               layer=-0.6)  # fmt: skip
+    if kind == "none":  # the kit wants a top: it gets a strip that lies within the body
+        top.update(hem=hem, neck="crew", ndrop=0.0, layer=-8.0)
+    end = float(rng.choice(list(TIGHT_ENDS), p=list(TIGHT_ENDS.values())))
+    low = worn(make_people, person, rng, end=end, waist=float(rng.uniform(0.9, 2.2)), loose=0.0, layer=-1.0)
+    if rng.random() < 0.3 and kind != "none":  # a suit of one cloth
+        low.update({name: top[name] for name in ("c1", "c2", "c3", "ptype", "scale", "angle", "ratio")})
+    for garment in (top, low):
+        garment["wrinkle"] *= float(rng.uniform(0.1, 0.8))
+    shoes = {name: person["outfit"][name] for name in ("shoes", "shoe_col", "shoe_recolour")}
+    if rng.random() < 0.3:
+        shoes["shoes"] = None
+    person["outfit"] = {"kind": f"tight_{kind}", "top": top, "low": low, **shoes}
+    person["acc"] = {name: kept for name, kept in person["acc"].items() if name != "scarf"}
+    return person
 
 
 def skin_coloured(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
@@ -54,25 +100,22 @@ def bared(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     rng = np.random.default_rng([person["seed"], 515])
     old = person["outfit"]
 
-    def worn(**how: Any) -> dict[str, Any]:
-        source = str(rng.choice(list(COLOURS), p=list(COLOURS.values())))
-        colour = make_people.garment_colour(rng, source, person["_skin_col"], person["hair"]["col"])
-        return {**make_people.fabric(rng, colour, 0.6, rng.random() < 0.2), **how}
-
     kind = str(rng.choice(list(KINDS), p=list(KINDS.values())))
     width = float(rng.uniform(0.45, 0.95) if kind != "straps" else rng.uniform(0.8, 1.05))
     strap = float(width + (rng.uniform(0.15, 0.5) if kind != "straps" else rng.uniform(0.06, 0.15)))
     depth = float(rng.uniform(0.8, 1.5) if kind == "deep" else rng.uniform(0.35, 1.0))
     neck = {"strapless": "strapless", "deep": "v"}.get(kind, str(rng.choice(["scoop", "v", "scoop", "crew"])))
-    top = worn(sleeve=0.0, neck=neck, nw=width, nd=depth, ndrop=float(rng.uniform(-0.1, 0.25)), strap=strap,
-               hem=float(rng.uniform(-0.35, 1.2)), loose=float(rng.choice([0.05, 0.3, 0.6])), layer=1)  # fmt: skip
+    top = worn(make_people, person, rng, sleeve=0.0, neck=neck, nw=width, nd=depth, strap=strap,
+               ndrop=float(rng.uniform(-0.1, 0.25)), hem=float(rng.uniform(-0.35, 1.2)),
+               loose=float(rng.choice([0.05, 0.3, 0.6])), layer=1)  # fmt: skip
     outfit = {"kind": kind, "top": top, **{name: old[name] for name in ("shoes", "shoe_col", "shoe_recolour")}}
     if person["sex"] == "female" and rng.random() < 0.4:
         outfit["skirt"] = {"end_y": float(rng.uniform(-6.8, -2.0)), "flare": float(rng.uniform(0.0, 0.5)),
                            "pleats": int(rng.integers(5, 16)), "same": True}  # fmt: skip
         top["hem"] = 0.6
     else:
-        outfit["low"] = worn(end=float(rng.choice([0.28, 0.45, 0.8, 1.0])), waist=float(rng.uniform(1.0, 1.9)),
+        outfit["low"] = worn(make_people, person, rng, end=float(rng.choice([0.28, 0.45, 0.8, 1.0])),
+                             waist=float(rng.uniform(1.0, 1.9)),
                              loose=float(rng.choice([0.0, 0.2, 0.5])), layer=0)  # fmt: skip
     person["acc"] = {name: kept for name, kept in person["acc"].items() if name != "scarf"}
     if person["acc"].get("head", {}).get("kind") == "headscarf":

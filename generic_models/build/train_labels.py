@@ -9,7 +9,8 @@ apart, crops of 256 px: mean overlap of labels .820 and of parts .798, points 1.
 (``--onward``) for 42 and 24 minutes of two cores, 3,000 steps of 16 at rates 6e-4 and 5e-4, by 100 people with bare
 shoulders (seeds from 60000) and 220 others (from 21000). Then for 36 minutes, some 2,550 steps at 5e-4, by 100 people
 in tops of their skin's colour (from 70000), 90 with bare shoulders (60 of them from 60130) and 210 others (80 of them
-from 22000); half of that was kept (``--halfway``).
+from 22000); half of that was kept (``--halfway``). Then for 27 minutes, some 2,050 steps at 5e-4, by 110 people in
+tight clothes (from 80000), 70 and 60 of the two kinds before and 140 others; half of that was kept too.
 
 Rare and easily missed classes weigh more; half of the loss is an overlap (soft IoU), as small classes vanish in a
 mean over pixels. What is kept is the mean of the last steps' weights (Polyak).
