@@ -23,8 +23,8 @@ from typing import Any
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from other_clothes import in_other_clothes
 from other_light import before_another_wall, in_other_light, made_up
-from other_tops import in_other_tops
 from PIL import Image
 
 from cloner.detectors.nets.litert import label_features
@@ -79,7 +79,7 @@ def generator(kit: Path) -> tuple[Any, Any]:
     draw = make_people.draw_person
 
     def dressed(seed: int, *rest: Any) -> dict[str, Any]:
-        return in_other_tops(make_people, draw(seed, *rest))
+        return in_other_clothes(make_people, draw(seed, *rest))
 
     make_people.draw_person = dressed
     return make_people, make_people.Kit(None)
