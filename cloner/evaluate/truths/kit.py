@@ -16,10 +16,13 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.posing import turning_marks
+from cloner.evaluate.measures.rulers import apply, fit_similarity
 from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthView, read_json, truth_camera, vectors
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
+from cloner.head.flank import vertex_of
+from cloner.head.jaw import carried_by_jaw
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.vision.photographs.pictures import read_picture
@@ -32,6 +35,8 @@ KIT_SET: Final = "kit"
 HELD_OUT: Final = {"body_three_quarter": "body_three_quarter", "three_quarter": "face_three_quarter"}
 #: Points that stand for the skin of the naked body; 3 mm apart on average.
 _SKIN_SAMPLES: Final = 200_000
+#: The middle of the upper lip's lower border and of the lower lip's upper one, MPEG-4's names.
+_LIPS: Final = ("2.2", "2.3")
 #: Points of an eyeball, and its radius: it hides the socket behind (adults: 12 mm).
 _EYE_SAMPLES: Final = 2_000
 _EYE_RADIUS_M: Final = 0.012
@@ -44,7 +49,9 @@ class KitTruth:
     Attributes
     ----------
     truth : Truth
-        In the words of the other visitors; the surface is the naked body's, in the pose of the first view.
+        In the words of the other visitors; the surface is the naked body's, in the pose of the first view, with the
+        mouth as the photo shows it that shows it most shut: one photo in five shows it open, and clones rest with it
+        shut.
     labels : mapping of view name to (H, W) uint8
         Places in `LABELS`, of every photo, also the held-out ones.
     bodies_m : mapping of view name to (V, 3) float64
@@ -115,7 +122,7 @@ def read_kit(person: Path) -> KitTruth:
         sole_m=m_from_mm(float(data["sole_height_mm"])),
         girths_mm={name: float(value) for name, value in data["girths_mm"].items()},
         views={ours: _read_view(person, view, ours, data, labels[view], bodies[view]) for view, ours in named.items()},
-        surface=_surface(data, bodies[str(data["measured_in_pose_of"])], quads),
+        surface=_surface(data, _with_shut_mouth(bodies[str(data["measured_in_pose_of"])], bodies), quads),
     )
     return KitTruth(
         truth,
@@ -160,6 +167,16 @@ def _read_view(person: Path, view: str, ours: str, data: Mapping[str, Any], labe
     )
 
 
+def _with_shut_mouth(body_m: Array, bodies: Mapping[str, Array]) -> Array:
+    """Return a naked body (V, 3) with the jaw of the pose in which the lips lie nearest, laid there by the skull."""
+    generic = load_generic()
+    upper, lower = (vertex_of(generic, name) for name in _LIPS)
+    shut = min(bodies.values(), key=lambda body: float(np.linalg.norm(body[upper] - body[lower])))
+    skull, jaw = generic.region("scalp")[: len(body_m)], carried_by_jaw(generic)[: len(body_m)] > 0.0
+    laid = apply(fit_similarity(shut[skull], body_m[skull], scale=False), shut)
+    return np.where(jaw[:, None], laid, body_m)
+
+
 def _surface(data: Mapping[str, Any], body_m: Array, quads: NDArray[np.int32]) -> TruthSurface:
     """Return the naked body as points, with eyeballs to hide the sockets; nothing of it is dressed or labelled."""
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
@@ -167,7 +184,10 @@ def _surface(data: Mapping[str, Any], body_m: Array, quads: NDArray[np.int32]) -
     skin = triangles[~inside_mouth[triangles].any(axis=1)]
     rng = np.random.default_rng(0)
     points, normals, _ = sample_surface(body_m, skin, _SKIN_SAMPLES, rng=rng)
-    joints = vectors(data["joints_3d_m"])
+    joints, marks = vectors(data["joints_3d_m"]), vectors(data["points_3d_m"])
+    generic = load_generic()
+    ours = {name: generic.feature(name) for name in marks if name in generic.feature_names}
+    marks |= {name: body_m[vertex] for name, vertex in ours.items() if carried_by_jaw(generic)[vertex] > 0.0}
     outwards = rng.normal(size=(_EYE_SAMPLES, 3))
     outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
     eyes = [joints[f"eye_{side}"] + _EYE_RADIUS_M * outwards for side in "LR"]
@@ -177,7 +197,7 @@ def _surface(data: Mapping[str, Any], body_m: Array, quads: NDArray[np.int32]) -
         np.vstack([normals, outwards, outwards]),
         kind,
         joints,
-        vectors(data["points_3d_m"]) | turning_marks(load_generic(), body_m),
+        marks | turning_marks(generic, body_m),
         body_m,
         skin,
     )

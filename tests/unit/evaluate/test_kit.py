@@ -19,6 +19,7 @@ from cloner.evaluate.truths.labels import label_ious
 from cloner.evaluate.truths.truth import truth_camera
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.head.jaw import opened
 from cloner.records.labels import LABELS
 from kit import studio
 
@@ -50,11 +51,15 @@ def drawn_labels(generic, body_m, triangles, camera):
     return np.where(picture[..., 2] == 255, 0, labels).astype(np.uint8)
 
 
-def write_person(folder):
-    """Write one person as the generator does, small: the generic human before a wall."""
+def write_person(folder, jaw_rad=0.0):
+    """Write one person as the generator does, small: the generic human before a wall; the body's photo with its mouth
+    open.
+    """
     generic, body_m, triangles = seen_body()
+    open_m = opened(generic, generic.vertices_m.astype(float), generic.joints_m.astype(float), jaw_rad)[: len(body_m)]
     folder.mkdir(parents=True)
-    cameras, points = {}, {name: body_m[generic.feature(name)].tolist() for name in ("nose_tip", "crotch")}
+    names = ("nose_tip", "crotch", "chin_bottom")
+    cameras, points = {}, {name: open_m[generic.feature(name)].tolist() for name in names}
     joints = {f"{name}_{side}": [0.0, 1.0, 0.0] for name in ("eye", "hip") for side in "LR"}
     for view, azimuth in VIEWS.items():
         camera = studio.camera(azimuth, size_px=SIZE)
@@ -74,7 +79,7 @@ def write_person(folder):
     }  # fmt: skip
     (folder / "truth.json").write_text(json.dumps(truth))
     quads = generic.quads[(generic.quads < len(body_m)).all(axis=1)]
-    held = {f"vertices_{view}": body_m.astype(np.float32) for view in VIEWS}
+    held = {f"vertices_{view}": (open_m if view == "body_front" else body_m).astype(np.float32) for view in VIEWS}
     np.savez(folder / "truth_body.npz", vertices=body_m, faces=quads, **held)
     return folder
 
@@ -131,6 +136,15 @@ def test_the_truth_is_read_in_our_words(person):
     heights = truth.surface.points_m[truth.surface.kind == "bare", 1]
     assert heights.max() == pytest.approx(kit.bodies_m["body_front"][:, 1].max(), abs=0.01)
     assert truth.surface.marks_m["crotch"][1] > 0.5
+
+
+def test_a_mouth_that_one_photo_shows_open_is_shut_in_the_truth(tmp_path):
+    generic, body_m, _ = seen_body()
+    kit = read_kit(write_person(tmp_path / "p00002", jaw_rad=0.2))
+    shut = body_m[generic.feature("chin_bottom")]
+    assert np.linalg.norm(kit.bodies_m["body_front"][generic.feature("chin_bottom")] - shut) > 0.01
+    assert kit.truth.surface.marks_m["chin_bottom"] == pytest.approx(shut, abs=1e-5)
+    assert kit.truth.surface.bare_m == pytest.approx(body_m, abs=1e-5)
 
 
 def test_a_lens_beside_the_picture_s_middle_is_refused_and_half_a_pixel_is_none():
