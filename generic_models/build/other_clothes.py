@@ -1,9 +1,9 @@
-"""People of the kit in clothes that it seldom draws: bare shoulders, tops of the skin's colour, tight clothes.
+"""People of the kit in clothes that it seldom draws: bare shoulders, tops of the skin's colour, tight clothes, hoods.
 
 It shows bare shoulders on one person in a hundred, and a decoder taught by the kit alone takes real people's for a top;
 taught by bare shoulders alone it takes tops of the skin's colour for skin. It never shows tight clothes, and a decoder
-that never saw them takes a trunk under them for narrower than it is. All three teach, as many of the one as of the
-others.
+that never saw them takes a trunk under them for narrower than it is. One person in fifty wears a hood, and stripes on
+a hood are now cloth, now a scarf. All four teach, as many of the one as of the others.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-#: Seeds from here on show bare shoulders, tops of the skin's colour, and tight clothes; the kit's own people have
-#: smaller ones.
-FIRST_BARE_SEED, FIRST_SKIN_COLOURED_SEED, FIRST_TIGHT_SEED = 60000, 70000, 80000
+#: Seeds from here on show bare shoulders, tops of the skin's colour, tight clothes, and covered heads; the kit's own
+#: people have smaller ones.
+FIRST_BARE_SEED, FIRST_SKIN_COLOURED_SEED, FIRST_TIGHT_SEED, FIRST_COVERED_SEED = 60000, 70000, 80000, 90000
 #: Kinds of tops and how often each is worn.
 KINDS = {"tank": 0.35, "straps": 0.2, "deep": 0.15, "strapless": 0.3}
 #: Where a garment's colour comes from, as the kit names it, and how often.
@@ -27,10 +27,16 @@ TIGHT_TOPS = {
 }  # fmt: skip
 #: How far tight trousers go down the leg, and how often: briefs, trunks, shorts, leggings.
 TIGHT_ENDS = {0.05: 0.15, 0.14: 0.15, 0.3: 0.2, 0.8: 0.15, 1.0: 0.35}
+#: What covers a head, and how often; women alone wear the kit's headscarf.
+COVERS = {"hood": 0.4, "headscarf": 0.3, "cap": 0.15, "beanie": 0.15}
+#: Numbers of the kit's patterns that cross a head and its neck: stripes, plaid, dots, blotches, checks.
+PATTERNS = (1, 1, 2, 3, 4, 5, 9)
 
 
 def in_other_clothes(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     """Return a drawn person of the kit in what the range of its seed wears."""
+    if person["seed"] >= FIRST_COVERED_SEED:
+        return covered(make_people, person)
     if person["seed"] >= FIRST_TIGHT_SEED:
         return tightly_dressed(make_people, person)
     if person["seed"] >= FIRST_SKIN_COLOURED_SEED:
@@ -43,6 +49,40 @@ def worn(make_people: Any, person: dict[str, Any], rng: np.random.Generator, **h
     source = str(rng.choice(list(COLOURS), p=list(COLOURS.values())))
     colour = make_people.garment_colour(rng, source, person["_skin_col"], person["hair"]["col"])
     return {**make_people.fabric(rng, colour, 0.6, rng.random() < 0.2), **how}
+
+
+def covered(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
+    """Return a drawn person of the kit with a covered head, often in stripes, and often with a scarf."""
+    rng = np.random.default_rng([person["seed"], 818])
+    kinds = [kind for kind in COVERS if kind != "headscarf" or person["sex"] == "female"]
+    often = np.array([COVERS[kind] for kind in kinds])
+    kind, old = str(rng.choice(kinds, p=often / often.sum())), person["outfit"]
+    worn_once = {name: kept for name, kept in person["acc"].items() if name not in ("head", "scarf")}
+    if kind == "hood":
+        top = worn(make_people, person, rng, sleeve=1.02, neck="crew", nw=float(rng.uniform(0.4, 0.75)),
+                   nd=float(rng.uniform(0.35, 0.9)), ndrop=0.0, strap=1.2, hem=float(rng.uniform(-0.35, 1.0)),
+                   loose=float(rng.choice([0.2, 0.5, 1.0])), layer=1)  # fmt: skip
+        low = worn(make_people, person, rng, end=float(rng.choice([0.45, 0.8, 1.0, 1.02])),
+                   waist=float(rng.uniform(1.0, 1.9)), loose=float(rng.choice([0.0, 0.2, 0.5])), layer=0)  # fmt: skip
+        shoes = {name: old[name] for name in ("shoes", "shoe_col", "shoe_recolour")}
+        person["outfit"] = {"kind": "hoodie", "top": striped(top, rng), "low": low, "hood": "up", **shoes}
+    else:
+        cover = worn(make_people, person, rng, kind=kind, yf=float(rng.uniform(-0.06, 0.2)),
+                     yb=float(rng.uniform(-0.5, -0.1)), brim=float(rng.uniform(0.5, 0.8)),
+                     slouch=float(rng.uniform(0.0, 0.5)), back=bool(rng.random() < 0.15))  # fmt: skip
+        worn_once["head"] = striped(cover, rng)
+    if rng.random() < 0.35 and "outer_collar" not in person["outfit"]:
+        scarf = worn(make_people, person, rng, thick=float(rng.uniform(0.12, 0.3)), h=float(rng.uniform(0.0, 0.4)))
+        worn_once["scarf"] = striped(scarf, rng)
+    person["acc"] = worn_once
+    return person
+
+
+def striped(garment: dict[str, Any], rng: np.random.Generator) -> dict[str, Any]:
+    """Return a garment, in two cases of five with stripes or another pattern of the kit."""
+    if rng.random() < 0.4:
+        garment["ptype"] = int(rng.choice(PATTERNS))
+    return garment
 
 
 def tightly_dressed(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:

@@ -10,7 +10,13 @@ apart, crops of 256 px: mean overlap of labels .820 and of parts .798, points 1.
 shoulders (seeds from 60000) and 220 others (from 21000). Then for 36 minutes, some 2,550 steps at 5e-4, by 100 people
 in tops of their skin's colour (from 70000), 90 with bare shoulders (60 of them from 60130) and 210 others (80 of them
 from 22000); half of that was kept (``--halfway``). Then for 27 minutes, some 2,050 steps at 5e-4, by 110 people in
-tight clothes (from 80000), 70 and 60 of the two kinds before and 140 others; half of that was kept too.
+tight clothes (from 80000), 70 and 60 of the two kinds before and 140 others; half of that was kept too. Then for 25
+minutes, 2,300 steps at 5e-4, by 120 people with covered heads (from 90000), 140 of the three kinds before and 120
+others, and from the mean of before and after for 19 minutes, 2,050 steps at 4e-4, by 100 such, 215 of the kinds before
+and 65 others; kept is the sum of six tenths of before and two of each.
+
+On two cores set MALLOC_MMAP_THRESHOLD_=4294967296 and MALLOC_TRIM_THRESHOLD_=8589934592: half of the time went into
+fetching the memory of every step from the system (0.4 -> 1.9 steps of 16 a second beside one other job).
 
 Rare and easily missed classes weigh more; half of the loss is an overlap (soft IoU), as small classes vanish in a
 mean over pixels. What is kept is the mean of the last steps' weights (Polyak).
