@@ -57,7 +57,7 @@ def covered(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     kinds = [kind for kind in COVERS if kind != "headscarf" or person["sex"] == "female"]
     often = np.array([COVERS[kind] for kind in kinds])
     kind, old = str(rng.choice(kinds, p=often / often.sum())), person["outfit"]
-    worn_once = {name: kept for name, kept in person["acc"].items() if name not in ("head", "scarf")}
+    accessories = {name: kept for name, kept in person["acc"].items() if name not in ("head", "scarf")}
     if kind == "hood":
         top = worn(make_people, person, rng, sleeve=1.02, neck="crew", nw=float(rng.uniform(0.4, 0.75)),
                    nd=float(rng.uniform(0.35, 0.9)), ndrop=0.0, strap=1.2, hem=float(rng.uniform(-0.35, 1.0)),
@@ -70,11 +70,11 @@ def covered(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
         cover = worn(make_people, person, rng, kind=kind, yf=float(rng.uniform(-0.06, 0.2)),
                      yb=float(rng.uniform(-0.5, -0.1)), brim=float(rng.uniform(0.5, 0.8)),
                      slouch=float(rng.uniform(0.0, 0.5)), back=bool(rng.random() < 0.15))  # fmt: skip
-        worn_once["head"] = striped(cover, rng)
+        accessories["head"] = striped(cover, rng)
     if rng.random() < 0.35 and "outer_collar" not in person["outfit"]:
         scarf = worn(make_people, person, rng, thick=float(rng.uniform(0.12, 0.3)), h=float(rng.uniform(0.0, 0.4)))
-        worn_once["scarf"] = striped(scarf, rng)
-    person["acc"] = worn_once
+        accessories["scarf"] = striped(scarf, rng)
+    person["acc"] = accessories
     return person
 
 
