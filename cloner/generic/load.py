@@ -138,6 +138,10 @@ class GenericHuman:
         rows = [self.segment_names.index(name) for name in names]
         return np.asarray(self.segment_weights[:, rows].astype(np.float64).sum(axis=1))
 
+    def carried_by(self, joint: str) -> FloatArray:
+        """Return (V,) how much of a joint's turn each vertex takes part in by itself, 0..1."""
+        return np.asarray((self.skin_weights * (self.skin_joints == self.joint(joint))).sum(axis=1))
+
     def joint(self, name: str) -> int:
         """Return a joint's row."""
         return self.joint_names.index(name)

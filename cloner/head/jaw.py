@@ -43,13 +43,7 @@ def opened(generic: GenericHuman, vertices_m: Array, joints_m: Array, open_rad: 
     pivot = joints_m[generic.joint(JOINT)]
     turn = Rotation.from_rotvec(jaw_rotations(generic, open_rad)[generic.joint(JOINT)])
     moved = turn.apply(vertices_m - pivot) + pivot - vertices_m
-    return np.asarray(vertices_m + carried_by_jaw(generic)[:, None] * moved)
-
-
-def carried_by_jaw(generic: GenericHuman) -> Array:
-    """Return (V,) how much of the jaw's turn each vertex takes part in, 0..1."""
-    carried = generic.skin_weights * (generic.skin_joints == generic.joint(JOINT))
-    return np.asarray(carried.sum(axis=1, dtype=np.float64))
+    return np.asarray(vertices_m + generic.carried_by(JOINT)[:, None] * moved)
 
 
 def jaw_in(generic: GenericHuman, rotations: Array) -> float:

@@ -74,8 +74,8 @@ def neck_shares(generic: GenericHuman) -> Array:
     """Return how far each joint (94,) moves with the head: the neck's as the skin they carry, those above fully."""
     shares, skull = np.zeros(len(generic.joint_names)), generic.joint("skullbase")
     for name in NECK:
-        carried_by = (generic.skin_weights * (generic.skin_joints == generic.joint(name))).sum(axis=1)
-        shares[generic.joint(name)] = carried_by @ generic.head_blend / carried_by.sum()
+        carried = generic.carried_by(name)
+        shares[generic.joint(name)] = carried @ generic.head_blend / carried.sum()
     above = {skull}
     for row, parent in enumerate(generic.joint_parents):
         if int(parent) in above:

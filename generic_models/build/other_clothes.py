@@ -44,9 +44,20 @@ def in_other_clothes(make_people: Any, person: dict[str, Any]) -> dict[str, Any]
     return bared(make_people, person) if person["seed"] >= FIRST_BARE_SEED else person
 
 
+def one_of(rng: np.random.Generator, often: dict[Any, float]) -> Any:
+    """Return one key, as often as its share of all."""
+    shares = np.array(list(often.values()))
+    return list(often)[int(rng.choice(len(shares), p=shares / shares.sum()))]
+
+
+def shoes_of(outfit: dict[str, Any]) -> dict[str, Any]:
+    """Return what an outfit of the kit tells of its shoes."""
+    return {name: outfit[name] for name in ("shoes", "shoe_col", "shoe_recolour")}
+
+
 def worn(make_people: Any, person: dict[str, Any], rng: np.random.Generator, **how: Any) -> dict[str, Any]:
     """Return a garment of a colour of its own, mostly plain, cut as told."""
-    source = str(rng.choice(list(COLOURS), p=list(COLOURS.values())))
+    source = one_of(rng, COLOURS)
     colour = make_people.garment_colour(rng, source, person["_skin_col"], person["hair"]["col"])
     return {**make_people.fabric(rng, colour, 0.6, rng.random() < 0.2), **how}
 
@@ -54,9 +65,7 @@ def worn(make_people: Any, person: dict[str, Any], rng: np.random.Generator, **h
 def covered(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     """Return a drawn person of the kit with a covered head, often in stripes, and often with a scarf."""
     rng = np.random.default_rng([person["seed"], 818])
-    kinds = [kind for kind in COVERS if kind != "headscarf" or person["sex"] == "female"]
-    often = np.array([COVERS[kind] for kind in kinds])
-    kind, old = str(rng.choice(kinds, p=often / often.sum())), person["outfit"]
+    kind = one_of(rng, {k: share for k, share in COVERS.items() if k != "headscarf" or person["sex"] == "female"})
     accessories = {name: kept for name, kept in person["acc"].items() if name not in ("head", "scarf")}
     if kind == "hood":
         top = worn(make_people, person, rng, sleeve=1.02, neck="crew", nw=float(rng.uniform(0.4, 0.75)),
@@ -64,7 +73,7 @@ def covered(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
                    loose=float(rng.choice([0.2, 0.5, 1.0])), layer=1)  # fmt: skip
         low = worn(make_people, person, rng, end=float(rng.choice([0.45, 0.8, 1.0, 1.02])),
                    waist=float(rng.uniform(1.0, 1.9)), loose=float(rng.choice([0.0, 0.2, 0.5])), layer=0)  # fmt: skip
-        shoes = {name: old[name] for name in ("shoes", "shoe_col", "shoe_recolour")}
+        shoes = shoes_of(person["outfit"])
         person["outfit"] = {"kind": "hoodie", "top": striped(top, rng), "low": low, "hood": "up", **shoes}
     else:
         cover = worn(make_people, person, rng, kind=kind, yf=float(rng.uniform(-0.06, 0.2)),
@@ -91,9 +100,8 @@ def tightly_dressed(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     They lie on the kit's own suit, which adds 20 mm to an upper arm, 41 to the waist and 74 to the bust.
     """
     rng = np.random.default_rng([person["seed"], 717])
-    kinds = [kind for kind in TIGHT_TOPS if kind != ("none" if person["sex"] == "female" else "cropped")]
-    often = np.array([TIGHT_TOPS[kind][0] for kind in kinds])
-    kind = str(rng.choice(kinds, p=often / often.sum()))
+    other_sex_s = "none" if person["sex"] == "female" else "cropped"
+    kind = one_of(rng, {name: often for name, (often, *_) in TIGHT_TOPS.items() if name != other_sex_s})
     _, hem, sleeves, necks = TIGHT_TOPS[kind]
     # Layers below the kit's first leave a millimetre or two between cloth and suit.
     top = worn(make_people, person, rng, sleeve=float(rng.uniform(*sleeves)), neck=str(rng.choice(necks)),
@@ -102,13 +110,13 @@ def tightly_dressed(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
                layer=-0.6)  # fmt: skip
     if kind == "none":  # the kit wants a top: it gets a strip that lies within the body
         top.update(hem=hem, neck="crew", ndrop=0.0, layer=-8.0)
-    end = float(rng.choice(list(TIGHT_ENDS), p=list(TIGHT_ENDS.values())))
+    end = one_of(rng, TIGHT_ENDS)
     low = worn(make_people, person, rng, end=end, waist=float(rng.uniform(0.9, 2.2)), loose=0.0, layer=-1.0)
     if rng.random() < 0.3 and kind != "none":  # a suit of one cloth
         low.update({name: top[name] for name in ("c1", "c2", "c3", "ptype", "scale", "angle", "ratio")})
     for garment in (top, low):
         garment["wrinkle"] *= float(rng.uniform(0.1, 0.8))
-    shoes = {name: person["outfit"][name] for name in ("shoes", "shoe_col", "shoe_recolour")}
+    shoes = shoes_of(person["outfit"])
     if rng.random() < 0.3:
         shoes["shoes"] = None
     person["outfit"] = {"kind": f"tight_{kind}", "top": top, "low": low, **shoes}
@@ -141,9 +149,7 @@ def skin_coloured(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
 def bared(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     """Return a drawn person of the kit with bare shoulders; lengths in decimetres of the kit's base mesh."""
     rng = np.random.default_rng([person["seed"], 515])
-    old = person["outfit"]
-
-    kind = str(rng.choice(list(KINDS), p=list(KINDS.values())))
+    kind = one_of(rng, KINDS)
     width = float(rng.uniform(0.45, 0.95) if kind != "straps" else rng.uniform(0.8, 1.05))
     strap = float(width + (rng.uniform(0.15, 0.5) if kind != "straps" else rng.uniform(0.06, 0.15)))
     depth = float(rng.uniform(0.8, 1.5) if kind == "deep" else rng.uniform(0.35, 1.0))
@@ -151,7 +157,7 @@ def bared(make_people: Any, person: dict[str, Any]) -> dict[str, Any]:
     top = worn(make_people, person, rng, sleeve=0.0, neck=neck, nw=width, nd=depth, strap=strap,
                ndrop=float(rng.uniform(-0.1, 0.25)), hem=float(rng.uniform(-0.35, 1.2)),
                loose=float(rng.choice([0.05, 0.3, 0.6])), layer=1)  # fmt: skip
-    outfit = {"kind": kind, "top": top, **{name: old[name] for name in ("shoes", "shoe_col", "shoe_recolour")}}
+    outfit = {"kind": kind, "top": top, **shoes_of(person["outfit"])}
     if person["sex"] == "female" and rng.random() < 0.4:
         outfit["skirt"] = {"end_y": float(rng.uniform(-6.8, -2.0)), "flare": float(rng.uniform(0.0, 0.5)),
                            "pleats": int(rng.integers(5, 16)), "same": True}  # fmt: skip

@@ -22,7 +22,7 @@ from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthV
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.head.flank import vertex_of
-from cloner.head.jaw import carried_by_jaw
+from cloner.head.jaw import JOINT as JAW
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.vision.photographs.pictures import read_picture
@@ -172,7 +172,7 @@ def _with_shut_mouth(body_m: Array, bodies: Mapping[str, Array]) -> Array:
     generic = load_generic()
     upper, lower = (vertex_of(generic, name) for name in _LIPS)
     shut = min(bodies.values(), key=lambda body: float(np.linalg.norm(body[upper] - body[lower])))
-    skull, jaw = generic.region("scalp")[: len(body_m)], carried_by_jaw(generic)[: len(body_m)] > 0.0
+    skull, jaw = generic.region("scalp")[: len(body_m)], generic.carried_by(JAW)[: len(body_m)] > 0.0
     laid = apply(fit_similarity(shut[skull], body_m[skull], scale=False), shut)
     return np.where(jaw[:, None], laid, body_m)
 
@@ -186,8 +186,8 @@ def _surface(data: Mapping[str, Any], body_m: Array, quads: NDArray[np.int32]) -
     points, normals, _ = sample_surface(body_m, skin, _SKIN_SAMPLES, rng=rng)
     joints, marks = vectors(data["joints_3d_m"]), vectors(data["points_3d_m"])
     generic = load_generic()
-    ours = {name: generic.feature(name) for name in marks if name in generic.feature_names}
-    marks |= {name: body_m[vertex] for name, vertex in ours.items() if carried_by_jaw(generic)[vertex] > 0.0}
+    ours, carried = [name for name in marks if name in generic.feature_names], generic.carried_by(JAW)
+    marks |= {name: body_m[generic.feature(name)] for name in ours if carried[generic.feature(name)] > 0.0}
     outwards = rng.normal(size=(_EYE_SAMPLES, 3))
     outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
     eyes = [joints[f"eye_{side}"] + _EYE_RADIUS_M * outwards for side in "LR"]
