@@ -20,8 +20,8 @@ import numpy as np
 from cloner.body.carriage_sight import Head, Params, Sight, sight_of, turned
 from cloner.body.outlined import Outlined
 from cloner.calibration.loader import calibrated
-from cloner.fit.evidence import Rows
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId
 from cloner.hair.volumes.agreement import HairField, agreement
 from cloner.head.flank import Flank
@@ -33,7 +33,7 @@ from cloner.records.points import ViewPoints
 _CALIBRATED: Final = calibrated("body.carriage")
 
 
-_STEP_RAD = _CALIBRATED.number("step_rad", "rad")
+_MAX_STEP_RAD = _CALIBRATED.number("step_rad", "rad")
 #: A photo without a face, and one in which nothing was looked up.
 UNSEEN = np.zeros((0, 2))
 NOTHING = Flank(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
@@ -78,22 +78,24 @@ def carry_heads(
     def stood(values: Values) -> dict[ViewId, PosedView]:
         return {view: turned(photo.posed, values[view], head.pivot_m) for view, photo in photos.items()}
 
-    def evidence(values: Values, turn: int) -> Iterator[Rows]:
-        if turn == params.looks_at:
+    def linearise(values: Values, iteration: int) -> Iterator[Residuals]:
+        if iteration == params.looks_at:
             spots.update(look(stood(values)))
         for view in photos:
-            sight = first[view] if turn == 0 else seen(view, values[view])
-            yield Rows((view, "hair"), *sight.linear(values[view], values["hair"]))
+            sight = first[view] if iteration == 0 else seen(view, values[view])
+            yield Residuals((view, "hair"), *sight.linear(values[view], values["hair"]))
         yield from agreement(mesh, lines, turning, {view: values[view] for view in lines})
 
     usual = {view: np.deg2rad(_usual_deg(view, params)) for view in photos}
-    blocks = {view.value: Block(np.zeros(len(u)), spread=u, longest=_STEP_RAD) for view, u in usual.items()}
+    blocks = {
+        view.value: ParameterBlock(np.zeros(len(u)), sigma=u, max_step=_MAX_STEP_RAD) for view, u in usual.items()
+    }
     first = {view: seen(view, np.zeros(len(u))) for view, u in usual.items()}
-    mean, spread = np.transpose(params.thickness_mm)
+    mean, sigma = np.transpose(params.thickness_mm)
     # from usual hair an afro's outline would count as another thing's
     begin = np.append(usual_thickness_mm(first, mean[0]), mean[1:])
-    blocks["hair"] = Block(begin, mean, spread)
-    return stood(Problem(blocks).solve(evidence, turns=params.turns).values)
+    blocks["hair"] = ParameterBlock(begin, mean, sigma)
+    return stood(Problem(blocks).solve(linearise, iterations=params.iterations).values)
 
 
 def usual_thickness_mm(sights: Mapping[ViewId, Sight], otherwise_mm: float) -> float:

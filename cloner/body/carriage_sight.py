@@ -35,7 +35,7 @@ HEAD_POINTS = ("nose_tip", "ear_outer_L", "ear_outer_R", "pupil_L", "pupil_R")
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides.
 HAIR = len(HAIR_M)
 _INDEPENDENT = _CALIBRATED.number("independent", "pieces")
-_WRONG = _CALIBRATED.number("wrong", "spreads")
+_WRONG = _CALIBRATED.number("wrong", "sigmas")
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +61,7 @@ class Params:
     head_deg: float = _CALIBRATED.number("head_deg", "deg")
     nod_deg: float = _CALIBRATED.number("nod_deg", "deg")
     spot_mm: float = _CALIBRATED.number("spot_mm", "mm")
-    turns: int = 5
+    iterations: int = 5
     looks_at: int = 2
 
 

@@ -32,7 +32,7 @@ class Params:
     ----------
     shapes : tuple of int
         Number of shape coefficients in the successive rounds.
-    turns_per_round : int
+    iterations_per_round : int
         Gauss-Newton steps a round.
     height_px : int
         Photo height at which outlines are compared.
@@ -53,12 +53,12 @@ class Params:
     same_sides: float = _CALIBRATED.number("same_sides", "factor")
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
     reach_mm: tuple[float, ...] = _CALIBRATED.numbers("reach_mm", "mm")
-    turns_per_round: int = 3
-    fade: tuple[float, float] = _CALIBRATED.pair("fade", "spreads")
+    iterations_per_round: int = 3
+    fade: tuple[float, float] = _CALIBRATED.pair("fade", "sigmas")
     height_px: int = 640
-    most_step: float = _CALIBRATED.number("most_step", "m, rad")
+    max_step: float = _CALIBRATED.number("max_step", "m, rad")
     damping: float = _CALIBRATED.number("damping", "share")
-    most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
+    max_sigmas: float = _CALIBRATED.number("max_sigmas", "sigmas")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

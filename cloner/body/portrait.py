@@ -43,7 +43,7 @@ class Params:
     ----------
     shapes : int
         Number of coefficients; more say nothing about the build.
-    turns : int
+    iterations : int
         Gauss-Newton steps.
     """
 
@@ -53,8 +53,8 @@ class Params:
     drift: float = _CALIBRATED.number("drift", "factor")
     own: float = _CALIBRATED.number("own", "factor")
     shoulder_m: float = _CALIBRATED.number("shoulder_m", "m")
-    most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
-    turns: int = 4
+    max_sigmas: float = _CALIBRATED.number("max_sigmas", "sigmas")
+    iterations: int = 4
 
 
 def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
@@ -70,10 +70,10 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     focal = focal_px_from_35mm(params.focal_35mm, width, height)
     camera = facing_camera(mean[:-2], seen[:-2], azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
     metres = camera.metres_per_pixel(mean[:-2].mean(axis=0))
-    told = Evidence(0, mean, basis, seen, sigma / metres, outlier=np.inf, drift_px=drift / metres)
+    told = Evidence(0, mean, basis, seen, sigma / metres, outlier=np.inf, common_error_px=drift / metres)
     start = ShapeFit(np.zeros(len(basis) + len(drift)), (camera,), np.zeros((1, 3)))
-    found = fit_shape(start, lambda fit, turn: [told], iterations=params.turns).coefficients[: len(basis)]
-    return np.clip(found, -params.most_sigmas, params.most_sigmas)
+    found = fit_shape(start, lambda fit, turn: [told], iterations=params.iterations).coefficients[: len(basis)]
+    return np.clip(found, -params.max_sigmas, params.max_sigmas)
 
 
 def of_sex(generic: GenericHuman, coefficients: Array, sex: str) -> Array:

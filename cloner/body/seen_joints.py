@@ -21,7 +21,7 @@ from cloner.records.points import Proposals, ViewPoints
 _CALIBRATED: Final = calibrated("body.seen_joints")
 
 #: A joint seen so many spreads away has lost half of its weight.
-OUTLIER: Final = _CALIBRATED.number("outlier", "spreads")
+OUTLIER: Final = _CALIBRATED.number("outlier", "sigmas")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,8 +18,8 @@ import numpy as np
 from cloner.body.evidence import Evidence, Params
 from cloner.body.model import WORN, Family, draw
 from cloner.body.terms import GroundTerm, OutlineTerm, PointTerm, Term, unknowns
-from cloner.fit.evidence import Rows, tie
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals, agreement_residuals
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
 from cloner.geometry.cameras.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
@@ -55,40 +55,44 @@ def wrapped(angle: float) -> float:
     return (angle + math.pi) % (2.0 * math.pi) - math.pi
 
 
-def _stand(seen: Evidence, start: Array, params: Params) -> Block:
+def _stand(seen: Evidence, start: Array, params: Params) -> ParameterBlock:
     """Return a photo's camera as unknowns; its height is tied to the usual one, its distance left to the evidence."""
-    expected, spread = np.zeros(len(STAND_NAMES)), np.full(len(STAND_NAMES), np.inf)
-    expected[AZIMUTH] = start[AZIMUTH] - wrapped(start[AZIMUTH] - NOMINAL[seen.view.side_shown])
+    mean, sigma = np.zeros(len(STAND_NAMES)), np.full(len(STAND_NAMES), np.inf)
+    mean[AZIMUTH] = start[AZIMUTH] - wrapped(start[AZIMUTH] - NOMINAL[seen.view.side_shown])
     rows = [AZIMUTH, FACING, PITCH, ROLL]
-    spread[rows] = np.radians(
-        [params.azimuth_degrees, params.facing_degrees, params.pitch_degrees, params.roll_degrees]
-    )
-    return Block(start, expected, spread, longest=params.most_step)
+    sigma[rows] = np.radians([params.azimuth_degrees, params.facing_degrees, params.pitch_degrees, params.roll_degrees])
+    return ParameterBlock(start, mean, sigma, max_step=params.max_step)
 
 
 def _problem(values: Values, evidence: dict[ViewId, Evidence], mean: Array, params: Params) -> Problem:
     """Return the unknowns, and what is likely of any person and any photographer."""
-    blocks = {"shape": Block(values["shape"], spread=1.0, farthest=params.most_sigmas)}
-    blocks[USUAL_POSE] = Block(values[USUAL_POSE], mean, SIGMAS, longest=params.most_step)
-    blocks[USUAL_HEIGHT] = Block(values[USUAL_HEIGHT], *params.height_m, longest=params.most_step)
+    blocks = {"shape": ParameterBlock(values["shape"], sigma=1.0, max_sigmas=params.max_sigmas)}
+    blocks[USUAL_POSE] = ParameterBlock(values[USUAL_POSE], mean, SIGMAS, max_step=params.max_step)
+    blocks[USUAL_HEIGHT] = ParameterBlock(values[USUAL_HEIGHT], *params.height_m, max_step=params.max_step)
     for view, seen in evidence.items():
         _, stand, pose = unknowns(view)
         blocks[stand] = _stand(seen, values[stand], params)
-        blocks[pose] = Block(values[pose], longest=params.most_step)
+        blocks[pose] = ParameterBlock(values[pose], max_step=params.max_step)
     return Problem(blocks)
 
 
-def _alike(values: Values, view: ViewId, params: Params) -> Iterator[Rows]:
+def _alike(values: Values, view: ViewId, params: Params) -> Iterator[Residuals]:
     """Yield what is likely of any two photos of one person, and of a person's two sides."""
     _, stand, pose = unknowns(view)
     level = np.eye(len(STAND_NAMES))[HEIGHT : HEIGHT + 1]
     apart = values[stand][HEIGHT] - values[USUAL_HEIGHT]
-    yield tie((stand, USUAL_HEIGHT), apart, np.append(level, [[-1.0]], axis=1), params.same_height_m, outlier=LOOSE)
+    yield agreement_residuals(
+        (stand, USUAL_HEIGHT), apart, np.append(level, [[-1.0]], axis=1), params.same_height_m, outlier=LOOSE
+    )
     every, (left, right, sign) = np.eye(len(FREEDOMS)), mirrored_freedoms()
     apart = values[pose] - values[USUAL_POSE]
-    yield tie((pose, USUAL_POSE), apart, np.hstack([every, -every]), params.same_pose * SIGMAS, outlier=LOOSE)
+    yield agreement_residuals(
+        (pose, USUAL_POSE), apart, np.hstack([every, -every]), params.same_pose * SIGMAS, outlier=LOOSE
+    )
     apart, spread = values[pose][left] - sign * values[pose][right], params.same_sides * SIGMAS[left]
-    yield tie((pose,), apart, every[left] - np.reshape(sign, (-1, 1)) * every[right], spread, outlier=LOOSE)
+    yield agreement_residuals(
+        (pose,), apart, every[left] - np.reshape(sign, (-1, 1)) * every[right], spread, outlier=LOOSE
+    )
 
 
 def solve(body: Family, evidence: dict[ViewId, Evidence], params: Params, tick: Tick) -> State:
@@ -106,16 +110,16 @@ def solve(body: Family, evidence: dict[ViewId, Evidence], params: Params, tick: 
             view: gathered(body, seen, state, params, reach_mm=reach, fade=fade) for view, seen in evidence.items()
         }
 
-        def look(now: Values, turn: int, number: int = number, terms: Terms = terms) -> Iterator[Rows]:
-            tick((number + turn / params.turns_per_round) / len(params.shapes))
+        def linearise(now: Values, iteration: int, number: int = number, terms: Terms = terms) -> Iterator[Residuals]:
+            tick((number + iteration / params.iterations_per_round) / len(params.shapes))
             for view, seen in evidence.items():
                 yield from _alike(now, view, params)
                 shape, stand, pose = (now[name] for name in unknowns(view))
                 for term in terms[view]:
-                    yield term.rows(draw(term.model, shape, stand, pose, seen.view.camera))
+                    yield term.residuals(draw(term.model, shape, stand, pose, seen.view.camera))
 
         problem = _problem(values, evidence, mean, params)
-        values = problem.solve(look, turns=params.turns_per_round, damping=params.damping).values
+        values = problem.solve(linearise, iterations=params.iterations_per_round, damping=params.damping).values
     return _state(values, evidence)
 
 

@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 from cloner.body.outlined import Outlined, see
 from cloner.body.seen_joints import OUTLIER, SeenJoints
 from cloner.calibration.loader import calibrated
-from cloner.fit.evidence import Rows, points
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals, point_residuals
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
@@ -56,7 +56,7 @@ class Params:
     curl_degrees: tuple[float, float] = _CALIBRATED.pair("curl_degrees", "deg")
     camera_degrees: tuple[float, float, float] = _CALIBRATED.triple("camera_degrees", "deg")
     camera_mm: tuple[float, float, float] = _CALIBRATED.triple("camera_mm", "mm")
-    most_step: float = _CALIBRATED.number("most_step", "m, rad")
+    max_step: float = _CALIBRATED.number("max_step", "m, rad")
     outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
     piece_mm: float = _CALIBRATED.number("piece_mm", "mm")
     reach_mm: tuple[float, ...] = _CALIBRATED.triple("reach_mm", "mm")
@@ -144,7 +144,7 @@ def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[
     return np.concatenate(blocks, axis=2)
 
 
-def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Rows:
+def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Residuals:
     """Return the rows of the joints seen in one photo by its angles and camera (A), which ``values`` hold."""
     parents = load_generic().joint_parents
     transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
@@ -154,8 +154,8 @@ def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array
     by_limbs = _by_angles(transforms, pivots, places, shares, values)
     by_curls = np.zeros((len(places), 2, len(_curls())))  # no finger is among them
     pixels, by_points, by_step = projection_derivatives(photo.posed.camera, places)
-    slopes = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_twists(values[-6:], pivot)], axis=2)
-    return points((photo.view,), pixels - told.places_px, slopes, told.spread_px, outlier=OUTLIER)
+    jacobian = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_twists(values[-6:], pivot)], axis=2)
+    return point_residuals((photo.view,), pixels - told.places_px, jacobian, told.spread_px, outlier=OUTLIER)
 
 
 def _middle(mesh: BodyMesh) -> Array:
@@ -165,7 +165,7 @@ def _middle(mesh: BodyMesh) -> Array:
 
 def _rows(
     mesh: BodyMesh, grown: Array, photo: Outlined, values: Array, pivot: Array, reach_mm: float, params: Params
-) -> Rows:
+) -> Residuals:
     """Return the outline's rows by sizes (S) and by one photo's angles and camera (A), which ``values`` hold."""
     seen = see(mesh, photo)
     rim = np.flatnonzero(seen.body.on_rim)
@@ -179,11 +179,11 @@ def _rows(
     pixels, by_points, by_step = projection_derivatives(camera, seen.posed_m[used])
     by_size = by_points @ (seen.blended[used, :, :3] @ grown[used])
     by_angle = by_points @ motion(mesh, photo.posed, seen.posed_m, used, values)
-    slopes = np.concatenate([by_size, by_angle, by_step @ motion_twists(values[-6:], pivot)], axis=2)
+    jacobian = np.concatenate([by_size, by_angle, by_step @ motion_twists(values[-6:], pivot)], axis=2)
     pieces = photo.field.step_px * seen.mm_per_px / params.piece_mm
     sigma_px = params.outline_mm / seen.mm_per_px / np.sqrt(min(pieces, 1.0)) / (1.0 - distance[keep] / reach_px)
-    away = (pixels[place] - photo.field.samples_px[keep], slopes[place])
-    return points(("sizes", photo.view), *away, sigma_px, along=photo.field.normals[keep])
+    away = (pixels[place] - photo.field.samples_px[keep], jacobian[place])
+    return point_residuals(("sizes", photo.view), *away, sigma_px, normal=photo.field.normals[keep])
 
 
 def fit_stances(
@@ -203,10 +203,10 @@ def fit_stances(
     photos : the body photos
     joints : those that they show under the clothes, where somebody looked for them
     """
-    mean, spread = size
+    mean, sigma = size
     usual, differs = usual_angles(params)
-    blocks = {"sizes": Block(mean, mean, spread, farthest=3.0)}
-    blocks |= {view.value: Block(usual, usual, differs, longest=params.most_step) for view in photos}
+    blocks = {"sizes": ParameterBlock(mean, mean, sigma, max_sigmas=3.0)}
+    blocks |= {view.value: ParameterBlock(usual, usual, differs, max_step=params.max_step) for view in photos}
     middle = _middle(sizer(mean))
     pivots = {view: photo.posed.camera.to_camera(middle[None])[0] for view, photo in photos.items()}
 
@@ -214,16 +214,16 @@ def fit_stances(
         poses = {view: turned_pose(photo.posed, values[view], middle) for view, photo in photos.items()}
         return {view: Outlined(posed, photos[view].field) for view, posed in poses.items()}
 
-    def look(values: Values, turn: int) -> list[Rows]:
+    def linearise(values: Values, iteration: int) -> list[Residuals]:
         mesh, grown = _grown(sizer, values["sizes"])
         rows = []
         for view, photo in stood(values).items():
-            rows.append(_rows(mesh, grown, photo, values[view], pivots[view], params.reach_mm[turn], params))
+            rows.append(_rows(mesh, grown, photo, values[view], pivots[view], params.reach_mm[iteration], params))
             if view in joints:
                 rows.append(_joint_rows(mesh, photo, joints[view], values[view], pivots[view]))
         return rows
 
-    found = Problem(blocks).solve(look, turns=len(params.reach_mm)).values
+    found = Problem(blocks).solve(linearise, iterations=len(params.reach_mm)).values
     return sizer(found["sizes"]), stood(found)
 
 

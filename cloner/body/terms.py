@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.body.evidence import Evidence, Params
 from cloner.body.model import Drawn, Family
 from cloner.detectors.body.body_points import ENDS
-from cloner.fit.evidence import Rows, cauchy, points
+from cloner.fit.evidence import Residuals, cauchy_weights, point_residuals
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
@@ -37,7 +37,7 @@ class Term(Protocol):
 
     model: Chosen
 
-    def rows(self, drawn: Drawn) -> Rows:
+    def residuals(self, drawn: Drawn) -> Residuals:
         """Return residuals in spreads and their derivatives."""
 
 
@@ -79,9 +79,11 @@ class PointTerm:
         self.outlier = np.where(fixed[order].astype(bool), np.inf, fade)
         self.sigma_px = spreads[order] / evidence.mm_per_px
 
-    def rows(self, drawn: Drawn) -> Rows:
+    def residuals(self, drawn: Drawn) -> Residuals:
         """Return residuals (2 N,) and derivatives."""
-        return points(self.of, drawn.pixels - self.target_px, drawn.by_pixels, self.sigma_px, outlier=self.outlier)
+        return point_residuals(
+            self.of, drawn.pixels - self.target_px, drawn.by_pixels, self.sigma_px, outlier=self.outlier
+        )
 
 
 def _own_points(generic: GenericHuman, evidence: Evidence, params: Params) -> list[tuple[str, Array, float, bool]]:
@@ -109,23 +111,23 @@ class GroundTerm:
         self.model = body.points(np.append(sole_vertices(body.generic), body.generic.feature("head_top")), modes=modes)
         self.evidence, self.params = evidence, params
 
-    def rows(self, drawn: Drawn) -> Rows:
+    def residuals(self, drawn: Drawn) -> Residuals:
         """Return residuals and derivatives: the floor (2 N), the top (1), corrected soles."""
         mm, params = self.evidence.mm_per_px, self.params
         scale = mm_from_m(1.0) / params.floor_mm
         height, by_height = drawn.points_m[:-1, 1], drawn.by_points[:-1, 1]
         values = [scale * (height - height.mean())]
-        slopes = [scale * (by_height - by_height.mean(axis=0))]
+        jacobian = [scale * (by_height - by_height.mean(axis=0))]
         hair_mm, spread_mm = self.evidence.hair_mm
         above = (drawn.pixels[-1, 1] - self.evidence.top_px) * mm - hair_mm
         values.append(np.array([above / spread_mm]))
-        slopes.append(drawn.by_pixels[-1:, 1] * mm / spread_mm)
+        jacobian.append(drawn.by_pixels[-1:, 1] * mm / spread_mm)
         for side, row_px in self.evidence.soles_px.items():
             own = np.arange(len(height) // 2) + (len(height) // 2 if side == "right" else 0)
             lowest = int(own[np.argmax(drawn.pixels[own, 1])])
             values.append(np.array([(drawn.pixels[lowest, 1] - row_px) * mm / params.corrected_mm]))
-            slopes.append(drawn.by_pixels[lowest : lowest + 1, 1] * mm / params.corrected_mm)
-        return Rows(unknowns(self.evidence.view.view), np.concatenate(values), np.vstack(slopes))
+            jacobian.append(drawn.by_pixels[lowest : lowest + 1, 1] * mm / params.corrected_mm)
+        return Residuals(unknowns(self.evidence.view.view), np.concatenate(values), np.vstack(jacobian))
 
 
 def outline_trust(generic: GenericHuman) -> Array:
@@ -177,7 +179,7 @@ class OutlineTerm:
         shown = ~self._one_sided(rim_px)
         return float(np.abs(self.field.signed_distance(rim_px)[shown]).mean()) * mm_per_px
 
-    def rows(self, drawn: Drawn) -> Rows:
+    def residuals(self, drawn: Drawn) -> Residuals:
         """Return residuals, photo to model, then model to photo, and derivatives."""
         pick, keep = self._matched(drawn.pixels)
         normal = self.field.normals[keep] * (self.weight * self.trust[pick])[:, None]
@@ -189,7 +191,7 @@ class OutlineTerm:
         inside = self._one_sided(drawn.pixels) & (beyond < 0.0)
         beyond[inside], by_beyond[inside] = 0.0, 0.0
         value = np.concatenate([towards, beyond])
-        return Rows(self.of, value, np.vstack([by_towards, by_beyond]), cauchy(value**2, self.soft) ** 2)
+        return Residuals(self.of, value, np.vstack([by_towards, by_beyond]), cauchy_weights(value**2, self.soft) ** 2)
 
     def _matched(self, pixels: Array) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
         """Return the rim's points that samples of the outline are matched with, and which samples count."""

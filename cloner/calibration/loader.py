@@ -24,7 +24,7 @@ UNITS: Final[Mapping[str, str]] = MappingProxyType({
     "figure": "heights of the figure, crown to sole",
     "share": "a part of a whole",
     "factor": "times something of the same kind",
-    "spreads": "standard deviations",
+    "sigmas": "standard deviations",
     "cosine": "cosine of an angle",
     "sine": "sine of an angle",
     "grey": "grey levels of 8 bits",

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.fit import evidence
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.features import named_features
 from cloner.generic.head_controls import load_head_controls
@@ -36,7 +36,7 @@ REACH_M = _CALIBRATED.number("reach_m", "m")
 USUAL_M = _CALIBRATED.number("usual_m", "m")
 EXACT_PX = _CALIBRATED.number("exact_px", "px")
 #: Steps; perspective alone bends what is solved.
-TURNS = 3
+ITERATIONS = 3
 
 
 @functools.cache
@@ -92,16 +92,16 @@ def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Jo
 def _pulls(places_m: Array, vertices: NDArray[np.int64], root: Array, moved: list[_Moved]) -> Array:
     """Return the likeliest pulls (N, 3), of which ``root`` (N, N) makes the moves of the vertices, metres."""
 
-    def look(values: Values, turn: int) -> Iterator[evidence.Rows]:
+    def linearise(values: Values, iteration: int) -> Iterator[evidence.Residuals]:
         now = places_m + root @ values["pulls"].reshape(-1, 3)
         for one in moved:
             row = np.searchsorted(vertices, one.vertex)
             seen, by_point, _ = projection_derivatives(one.camera, now[row][None])
-            slopes = np.einsum("nia,v->niva", by_point, root[row]).reshape(1, 2, -1)
-            yield evidence.points(("pulls",), seen - one.target_px, slopes, EXACT_PX)
+            jacobian = np.einsum("nia,v->niva", by_point, root[row]).reshape(1, 2, -1)
+            yield evidence.point_residuals(("pulls",), seen - one.target_px, jacobian, EXACT_PX)
 
-    problem = Problem({"pulls": Block(np.zeros(places_m.size), spread=USUAL_M)})
-    return problem.solve(look, turns=TURNS).values["pulls"].reshape(-1, 3)
+    problem = Problem({"pulls": ParameterBlock(np.zeros(places_m.size), sigma=USUAL_M)})
+    return problem.solve(linearise, iterations=ITERATIONS).values["pulls"].reshape(-1, 3)
 
 
 def _moved(joined: Joined, before: FacePoints, after: FacePoints) -> list[_Moved]:

@@ -15,8 +15,8 @@ import numpy as np
 
 from cloner.calibration.loader import calibrated
 from cloner.editing.wishes import Wish
-from cloner.fit.evidence import Rows, points
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals, point_residuals
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, pose_matrix
@@ -52,7 +52,7 @@ class Params:
 
     Attributes
     ----------
-    turns : int
+    iterations : int
     """
 
     angle_share: float = _CALIBRATED.number("angle_share", "share")
@@ -61,8 +61,8 @@ class Params:
     exact_px: float = _CALIBRATED.number("exact_px", "px")
     most_angle: float = _CALIBRATED.number("most_angle", "rad")
     most_mm: float = _CALIBRATED.number("most_mm", "mm")
-    turns: int = 6
-    still: float = _CALIBRATED.number("still", "factor")
+    iterations: int = 6
+    tolerance: float = _CALIBRATED.number("tolerance", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,7 +75,7 @@ class _Held:
     posed: PosedView
     wishes: tuple[Wish, ...]
     points: Chosen
-    spread: Array
+    sigma: Array
 
     def rotations(self, turned: Array) -> Array:
         """Return the (94, 3) rotations after the angles turned by (F,) radians."""
@@ -161,21 +161,21 @@ def _hold(
 def _solved(held: Mapping[str, _Held], count: int, params: Params) -> Values:
     """Return how ``count`` joints move in rest pose ("places", (3 count,)), and every photo's angles' changes."""
     most_m, still = m_from_mm(params.most_mm), np.zeros(3 * count)
-    blocks = {"places": Block(still, spread=m_from_mm(params.place_mm), least=-most_m, most=most_m)}
+    blocks = {"places": ParameterBlock(still, sigma=m_from_mm(params.place_mm), lower=-most_m, upper=most_m)}
     goals, sigma_px = {}, {}
     for name, one in held.items():
-        start, most = np.zeros(len(one.spread)), params.most_angle
-        blocks[name] = Block(start, spread=one.spread, least=-most, most=most)
+        start, most = np.zeros(len(one.sigma)), params.most_angle
+        blocks[name] = ParameterBlock(start, sigma=one.sigma, lower=-most, upper=most)
         kept_px = one.seen(still, start)[0][len(one.wishes) :]
         goals[name] = np.concatenate([[wish.target_px for wish in one.wishes], kept_px])
         sigma_px[name] = np.repeat([params.exact_px, params.kept_px], [len(one.wishes), len(kept_px)])
 
-    def look(values: Values, turn: int) -> Iterator[Rows]:
+    def linearise(values: Values, iteration: int) -> Iterator[Residuals]:
         for name, one in held.items():
-            seen, slopes = one.seen(values["places"], values[name])
-            yield points(("places", name), seen - goals[name], slopes, sigma_px[name])
+            seen, jacobian = one.seen(values["places"], values[name])
+            yield point_residuals(("places", name), seen - goals[name], jacobian, sigma_px[name])
 
-    return Problem(blocks).solve(look, turns=params.turns, still=params.still).values
+    return Problem(blocks).solve(linearise, iterations=params.iterations, tolerance=params.tolerance).values
 
 
 def _tell(wish: Wish, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:

@@ -1,1 +1,1 @@
-"""One fit for all: named unknowns with what is expected of them, evidence as rows, Gauss-Newton, uncertainty."""
+"""The one fit: named parameter blocks with priors, residuals with Jacobians, robust Gauss-Newton, covariances."""

@@ -1,4 +1,4 @@
-"""Cameras among the unknowns: motion since a start and a logarithm of zoom; and a camera alone, from known points."""
+"""Cameras as unknowns: rotation and translation from an initial pose and log zoom; and resection of one camera."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ from typing import Final
 
 import numpy as np
 
-from cloner.fit.evidence import Rows, points
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals, point_residuals
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
-#: Longest turn in one step, radians, and shift as a share of the distance: what is seen stays before the camera.
-MOST_TURN, MOST_SHIFT = 0.3, 0.5
+#: Longest rotation in one step, radians, and translation as a share of the distance: points stay before the camera.
+MAX_ROTATION_RAD, MAX_TRANSLATION = 0.3, 0.5
 #: Steps shorter than this change no pixel.
-STILL: Final = 1e-9
+TOLERANCE: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Aim:
-    """A camera as unknowns: rotation vector and translation as `moved_camera` takes them, and perhaps a zoom.
+class CameraUnknowns:
+    """A camera as unknowns: rotation vector and translation as `moved_camera` takes them, and optionally a zoom.
 
     Attributes
     ----------
@@ -40,8 +40,8 @@ class Aim:
         pose[2, 3] += (factor - 1.0) * self.depth_m
         return replace(camera, focal_px=factor * camera.focal_px, camera_from_model=pose)
 
-    def seen(self, points_m: Array, motion: Array, zoom: float = 0.0) -> tuple[Array, Array, Array]:
-        """Return pixels (N, 2), their change with the points (N, 2, 3) and with motion and zoom (N, 2, 7)."""
+    def project(self, points_m: Array, motion: Array, zoom: float = 0.0) -> tuple[Array, Array, Array]:
+        """Return pixels (N, 2) and their derivatives by the points (N, 2, 3) and by motion and zoom (N, 2, 7)."""
         camera, back = self.camera(motion, zoom), np.array([0.0, 0.0, np.exp(zoom) * self.depth_m])
         pixels, by_points, by_step = projection_derivatives(camera, points_m)
         by_motion = by_step @ motion_twists(motion, back - [0.0, 0.0, self.depth_m])
@@ -56,10 +56,10 @@ def resect(
     *,
     sigma_px: Array | float = 1.0,
     outlier: float = 3.0,
-    turn_sigma: Array | None = None,
+    rotation_sigma: Array | None = None,
     iterations: int = 20,
 ) -> Camera:
-    """Return the camera that sees the points where the photo shows them.
+    """Return the camera of known points (resection), its focal length kept.
 
     Parameters
     ----------
@@ -67,21 +67,21 @@ def resect(
     start : Camera
         A rough camera; its focal length is kept.
     sigma_px : float or (N,)
-        Expected error of each point.
+        Standard deviation of each point.
     outlier : float
-        Errors beyond this many sigmas lose their weight (Cauchy), so that a wrong point cannot turn the head.
-    turn_sigma : (3,) float64, optional
-        Expected deviation (radians) of the rotation from the start's; needed where few points fix it badly.
+        Cauchy scale in sigmas: a wrong point cannot turn the head.
+    rotation_sigma : (3,) float64, optional
+        Prior on the rotation from the start's, radians; needed where few points determine it badly.
     """
-    aim = Aim(start)
-    away_m = abs(float(start.to_camera(points_m.mean(axis=0)[None])[0, 2]))
-    spread = np.full(6, np.inf)
-    spread[:3] = np.inf if turn_sigma is None else turn_sigma
-    longest = np.repeat([MOST_TURN, MOST_SHIFT * away_m], 3)
+    unknowns = CameraUnknowns(start)
+    distance_m = abs(float(start.to_camera(points_m.mean(axis=0)[None])[0, 2]))
+    sigma = np.full(6, np.inf)
+    sigma[:3] = np.inf if rotation_sigma is None else rotation_sigma
+    max_step = np.repeat([MAX_ROTATION_RAD, MAX_TRANSLATION * distance_m], 3)
 
-    def look(values: Values, turn: int) -> list[Rows]:
-        seen, _, by_aim = aim.seen(points_m, values["camera"])
-        return [points(("camera",), seen - points_px, by_aim[..., :6], sigma_px, outlier=outlier)]
+    def linearise(values: Values, iteration: int) -> list[Residuals]:
+        pixels, _, by_unknowns = unknowns.project(points_m, values["camera"])
+        return [point_residuals(("camera",), pixels - points_px, by_unknowns[..., :6], sigma_px, outlier=outlier)]
 
-    problem = Problem({"camera": Block(np.zeros(6), spread=spread, longest=longest)})
-    return aim.camera(problem.solve(look, turns=iterations, still=STILL).values["camera"])
+    problem = Problem({"camera": ParameterBlock(np.zeros(6), sigma=sigma, max_step=max_step)})
+    return unknowns.camera(problem.solve(linearise, iterations=iterations, tolerance=TOLERANCE).values["camera"])

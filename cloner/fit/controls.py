@@ -1,4 +1,4 @@
-"""Displacements of DFFD control points that take up what a shape basis left over in the photos."""
+"""Displacements of DFFD control points that reduce what residuals a shape basis leaves in the photos."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ import numpy as np
 from scipy.sparse import csr_matrix, identity, kron
 from scipy.spatial import cKDTree
 
-from cloner.fit.evidence import Rows, cauchy
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals, cauchy_weights
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: Errors beyond this many sigmas lose their weight (Cauchy).
 OUTLIER: Final = 2.5
-#: Solutions, each with the last one's weights: the rows are linear.
-TURNS: Final = 5
-#: Controls with which each one bends.
+#: Iterations of reweighting: the residuals are linear.
+ITERATIONS: Final = 5
+#: Neighbours of a control in the smoothness prior.
 NEIGHBOURS: Final = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Leftover:
-    """What one photo still wants of places on the model.
+class PhotoEvidence:
+    """Target pixels of model points in one photo.
 
     Attributes
     ----------
     camera : Camera
     points_m : (N, 3)
-        The places before the deformation.
+        The points before the deformation.
     weights : (N, K) sparse
         Their Sibson weights on the movable controls.
     target_px : (N, 2)
@@ -49,12 +49,12 @@ class Leftover:
     normal_px: Array | None = None
 
 
-def solve_relief(
+def solve_displacements(
     controls_m: Array,
-    leftovers: Sequence[Leftover],
+    evidence: Sequence[PhotoEvidence],
     *,
-    size_m: float,
-    bend_m: float,
+    sigma_m: float,
+    neighbour_sigma_m: float,
     limit_m: float,
 ) -> Array:
     """Return the (K, 3) displacements of the controls, metres.
@@ -62,33 +62,36 @@ def solve_relief(
     Parameters
     ----------
     controls_m : (K, 3)
-    leftovers : sequence of Leftover
-    size_m : float
-        Expected size of a displacement.
-    bend_m : float
-        Expected difference of neighbours' displacements: a wrong point cannot pull alone.
+    evidence : sequence of PhotoEvidence
+    sigma_m : float
+        Standard deviation of a displacement.
+    neighbour_sigma_m : float
+        Standard deviation of neighbours' differences: one wrong point cannot pull a control away alone.
     limit_m : float
-        No displacement is longer.
+        Longest displacement.
     """
-    alike, told = _alike(controls_m) / bend_m, [_linear_rows(item) for item in leftovers]
+    smoothness, linear = (
+        _neighbour_differences(controls_m) / neighbour_sigma_m,
+        [_whitened_rows(item) for item in evidence],
+    )
 
-    def look(values: Values, turn: int) -> Iterator[Rows]:
+    def linearise(values: Values, iteration: int) -> Iterator[Residuals]:
         moved = values["controls"]
-        yield Rows(("controls",), alike @ moved, alike)
-        for slopes, error, group in told:
-            value = slopes @ moved - error
-            weight = cauchy((value.reshape(-1, group) ** 2).sum(axis=1), OUTLIER)
-            yield Rows(("controls",), value, slopes, np.repeat(weight, group))
+        yield Residuals(("controls",), smoothness @ moved, smoothness)
+        for jacobian, error, group in linear:
+            value = jacobian @ moved - error
+            weight = cauchy_weights((value.reshape(-1, group) ** 2).sum(axis=1), OUTLIER)
+            yield Residuals(("controls",), value, jacobian, np.repeat(weight, group))
 
-    problem = Problem({"controls": Block(np.zeros(controls_m.size), spread=size_m)})
-    out = problem.solve(look, turns=TURNS).values["controls"].reshape(-1, 3)
+    problem = Problem({"controls": ParameterBlock(np.zeros(controls_m.size), sigma=sigma_m)})
+    out = problem.solve(linearise, iterations=ITERATIONS).values["controls"].reshape(-1, 3)
     length = np.linalg.norm(out, axis=1, keepdims=True)
     # Smooth limit: small displacements pass unchanged, none exceeds the limit.
     return out * np.where(length > 1e-12, limit_m * np.tanh(length / limit_m) / np.maximum(length, 1e-12), 1.0)
 
 
-def _alike(controls_m: Array) -> csr_matrix:
-    """Return the (3K, 3K) rows that tell how each control moves otherwise than its neighbours on the mean."""
+def _neighbour_differences(controls_m: Array) -> csr_matrix:
+    """Return the (3K, 3K) operator from displacements to their differences from the mean of their neighbours."""
     count = len(controls_m)
     _, near = cKDTree(controls_m).query(controls_m, k=min(NEIGHBOURS + 1, count))
     others = near[:, 1:]
@@ -97,7 +100,7 @@ def _alike(controls_m: Array) -> csr_matrix:
     return kron(identity(count) - mean, identity(3), format="csr")
 
 
-def _linear_rows(item: Leftover) -> tuple[csr_matrix, Array, int]:
+def _whitened_rows(item: PhotoEvidence) -> tuple[csr_matrix, Array, int]:
     """Return whitened rows (M, 3K), errors (M,), and rows per point."""
     seen, by_point, _ = projection_derivatives(item.camera, item.points_m)
     error = (item.target_px - seen) / item.sigma_px[:, None]

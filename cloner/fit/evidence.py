@@ -1,7 +1,7 @@
-"""Evidence as rows: how far things are seen from where the unknowns put them, in spreads, and how that changes.
+"""Residuals of the fit with their Jacobians, in standard deviations.
 
-Five kinds suffice: points, outlines and curves (points of which one direction counts), told lengths (a tape), and
-symmetry or sameness (ties between unknowns).
+Five kinds suffice: points, outlines and curves (points of which only the distance along a normal counts), measured
+lengths (a tape), and symmetry or sameness (parameters that agree).
 """
 
 from __future__ import annotations
@@ -15,82 +15,91 @@ from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rows:
-    """Linearised evidence.
+class Residuals:
+    """Residuals, linearised at the present values.
 
     Attributes
     ----------
     of : tuple of str
-        Blocks of unknowns that it depends on.
+        Names of the parameter blocks that they depend on.
     value : (R,) float64
-        What it is away from what is wanted, in spreads.
-    slopes : (R, n) float64, dense or sparse
-        Its change with the blocks' unknowns, one block after the other.
+        Model minus observation, in sigmas.
+    jacobian : (R, n) float64, dense or sparse
+        Derivatives by the parameters of these blocks, one block after the other.
     weight : float or (R,)
-        How far it is believed, at these values.
+        Robust weights at these values.
     """
 
     of: tuple[str, ...]
     value: Array
-    slopes: Array | csr_matrix
+    jacobian: Array | csr_matrix
     weight: Array | float = 1.0
 
 
-def cauchy(squared: Array, beyond: Array | float) -> Array:
-    """Return weights (N,) of squared distances in spreads: a half at ``beyond``; one where that is infinite."""
-    return np.asarray(1.0 / (1.0 + squared / np.asarray(beyond, dtype=np.float64) ** 2))
+def cauchy_weights(squared: Array, scale: Array | float) -> Array:
+    """Return the weights (N,) of squared residuals under a Cauchy loss: a half at ``scale``, one if it is infinite."""
+    return np.asarray(1.0 / (1.0 + squared / np.asarray(scale, dtype=np.float64) ** 2))
 
 
-def points(
+def point_residuals(
     of: tuple[str, ...],
-    away: Array,
-    slopes: Array,
+    offset: Array,
+    jacobian: Array,
     sigma: Array | float,
     *,
     outlier: Array | float = np.inf,
-    along: Array | None = None,
-) -> Rows:
-    """Return the rows of points, or of outlines and curves: along them points may slide.
+    normal: Array | None = None,
+) -> Residuals:
+    """Return the residuals of points, or of points on outlines and curves, which may slide along them.
 
     Parameters
     ----------
     of : tuple of str
-    away : (N, D)
-        Where the unknowns put the points, less where they are seen.
-    slopes : (N, D, n)
+        Names of the parameter blocks.
+    offset : (N, D)
+        Projected minus observed points.
+    jacobian : (N, D, n)
+        Derivatives of the projected points.
     sigma : float or (N,)
-        Expected errors.
+        Expected errors, in the unit of ``offset``.
     outlier : float or (N,)
-        A point that many sigmas away has lost half of its weight: a wrong one cannot turn the whole.
-    along : (N, D), optional
-        Unit directions; only errors along them count.
+        Cauchy scale in sigmas: a point that far away has lost half of its weight.
+    normal : (N, D), optional
+        Unit directions; only the error along them counts.
     """
-    if along is not None:
-        away = np.einsum("ni,ni->n", along, away)[:, None]
-        slopes = np.einsum("ni,nif->nf", along, slopes)[:, None]
-    scale = 1.0 / np.broadcast_to(np.asarray(sigma, dtype=np.float64), (len(away),))
-    value = away * scale[:, None]
-    weight = np.repeat(cauchy((value**2).sum(axis=1), outlier), value.shape[1])
-    flat = (slopes * scale[:, None, None]).reshape(value.size, slopes.shape[-1])
-    return Rows(of, value.ravel(), flat, weight)
+    if normal is not None:
+        offset = np.einsum("ni,ni->n", normal, offset)[:, None]
+        jacobian = np.einsum("ni,nif->nf", normal, jacobian)[:, None]
+    scale = 1.0 / np.broadcast_to(np.asarray(sigma, dtype=np.float64), (len(offset),))
+    value = offset * scale[:, None]
+    weight = np.repeat(cauchy_weights((value**2).sum(axis=1), outlier), value.shape[1])
+    flat = (jacobian * scale[:, None, None]).reshape(value.size, jacobian.shape[-1])
+    return Residuals(of, value.ravel(), flat, weight)
 
 
-def together(of: tuple[str, ...], away: Array, slopes: Array, whiten: Array, *, outlier: float) -> Rows:
-    """Return the rows of points that err together and lose their weight together.
+def correlated_residuals(
+    of: tuple[str, ...], offset: Array, jacobian: Array, whiten: Array, *, outlier: float
+) -> Residuals:
+    """Return the residuals of points with correlated errors, which share one robust weight.
 
     Parameters
     ----------
     of : tuple of str
-    away : (N, 2), slopes : (N, 2, n)
+        Names of the parameter blocks.
+    offset : (N, 2), jacobian : (N, 2, n)
+        As in :func:`point_residuals`.
     whiten : (2 N, 2 N)
-        Makes their errors, x and y after each other, independent and of size one.
+        Whitening matrix of the errors (x0, y0, x1, ...).
     outlier : float
+        Cauchy scale of the root mean square error, in sigmas.
     """
-    value = whiten @ away.ravel()
-    alike = cauchy(2.0 * (value**2).mean(), outlier)
-    return Rows(of, value, whiten @ slopes.reshape(len(value), -1), np.full(len(value), alike))
+    value = whiten @ offset.ravel()
+    shared = cauchy_weights(2.0 * (value**2).mean(), outlier)
+    return Residuals(of, value, whiten @ jacobian.reshape(len(value), -1), np.full(len(value), shared))
 
 
-def tie(of: tuple[str, ...], apart: Array, slopes: Array, spread: Array | float, *, outlier: float) -> Rows:
-    """Return the rows of unknowns (N,) ``apart`` that usually agree, each losing its weight alone: heavy tails."""
-    return points(of, apart[:, None], slopes[:, None], spread, outlier=outlier)
+def agreement_residuals(
+    of: tuple[str, ...], difference: Array, jacobian: Array, sigma: Array | float, *, outlier: float
+) -> Residuals:
+    """Return the residuals of parameters that usually agree; each ``difference`` (N,) has its own robust weight."""
+    return point_residuals(of, difference[:, None], jacobian[:, None], sigma, outlier=outlier)

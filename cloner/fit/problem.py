@@ -1,8 +1,7 @@
-"""Named unknowns, what is expected of each, and the values that evidence makes likeliest, by their normal equations.
+"""Nonlinear least squares over named parameter blocks with priors: robust, bounded Gauss-Newton.
 
-Damped Gauss-Newton on the negative log likelihood: robust rows are weighted by what they are now (iterated
-reweighting), values stay within bounds by holding those that would leave them (active set). The normal equations of the
-last turn tell how certain the values are.
+The objective is the negative log posterior. Robust residuals are reweighted at every iteration (IRLS), bounds are kept
+by an active set, and the normal equations of the last iteration give the covariance.
 
 References
 ----------
@@ -18,137 +17,139 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import diags_array, issparse
 
-from cloner.fit.evidence import Rows, cauchy
+from cloner.fit.evidence import Residuals, cauchy_weights
 from cloner.records.arrays import Array
 
 Values = dict[str, Array]
-#: What evidence says at some values, in a turn.
-Look = Callable[[Values, int], Iterable[Rows]]
+#: ``linearise(values, iteration)`` returns the residuals and their Jacobians at the present values.
+Linearise = Callable[[Values, int], Iterable[Residuals]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Block:
-    """Unknowns that belong together.
+class ParameterBlock:
+    """Unknowns that belong together, with their prior and their bounds.
 
     Attributes
     ----------
-    start : (n,) float64
-        First values.
-    expected, spread : float or (n,)
-        What is usual, and by how much it differs; an infinite spread leaves it to the evidence.
-    tail : float
-        So many spreads away, values are held half as hard (Cauchy).
-    rarity : float or (n,)
-        Decline of the expected logarithm beside the normal prior: for what is mostly absent.
-    least, most : float or (n,)
-        No value lies beyond; the others explain what it may not.
-    farthest : float
-        Values that evidence takes farther from what is expected, in spreads, are cut off there: a guard.
-    longest : float or (n,)
-        No value moves farther in one turn: so far the linear model is good.
+    initial : (n,) float64
+        Values to start from.
+    mean, sigma : float or (n,)
+        Normal prior; an infinite sigma means no prior.
+    cauchy_scale : float
+        A value that many sigmas from its mean feels half of the prior's pull (Cauchy); infinite keeps it normal.
+    decay_rate : float or (n,)
+        Rate of an exponential prior beside the normal one, for parameters that are mostly zero.
+    lower, upper : float or (n,)
+        Bounds of the values.
+    max_sigmas : float
+        Values farther than this from their mean are clipped: a guard against outliers.
+    max_step : float or (n,)
+        Longest step in one iteration: the range in which the linear model is good.
     """
 
-    start: Array
-    expected: Array | float = 0.0
-    spread: Array | float = np.inf
-    tail: float = np.inf
-    rarity: Array | float = 0.0
-    least: Array | float = -np.inf
-    most: Array | float = np.inf
-    farthest: Array | float = np.inf
-    longest: Array | float = np.inf
+    initial: Array
+    mean: Array | float = 0.0
+    sigma: Array | float = np.inf
+    cauchy_scale: float = np.inf
+    decay_rate: Array | float = 0.0
+    lower: Array | float = -np.inf
+    upper: Array | float = np.inf
+    max_sigmas: Array | float = np.inf
+    max_step: Array | float = np.inf
 
-    def even(self, name: str) -> Array:
-        """Return one of its numbers for every unknown, (n,)."""
-        return np.broadcast_to(np.asarray(getattr(self, name), dtype=np.float64), self.start.shape)
+    def per_parameter(self, name: str) -> Array:
+        """Return an attribute broadcast to all parameters of the block, (n,)."""
+        return np.broadcast_to(np.asarray(getattr(self, name), dtype=np.float64), self.initial.shape)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Solution:
-    """The likeliest values, and the normal equations' matrix (X, X) at them, priors included, without damping."""
+    """The most likely values, and the undamped information matrix (X, X) at them, priors included."""
 
     values: Values
     information: Array
-    places: Mapping[str, slice]
+    slices: Mapping[str, slice]
 
     def covariance(self, *names: str) -> Array:
         """Return the joint covariance (n, n) of some blocks, in the order of their names."""
-        rows = np.concatenate([np.arange(self.places[name].start, self.places[name].stop) for name in names])
+        rows = np.concatenate([np.arange(self.slices[name].start, self.slices[name].stop) for name in names])
         return np.asarray(np.linalg.inv(self.information)[np.ix_(rows, rows)])
 
 
 class Problem:
-    """Blocks of unknowns, solved together.
+    """Parameter blocks that are solved together.
 
     Parameters
     ----------
-    blocks : mapping of str to Block
+    blocks : mapping of str to ParameterBlock
     """
 
-    def __init__(self, blocks: Mapping[str, Block]) -> None:
+    def __init__(self, blocks: Mapping[str, ParameterBlock]) -> None:
         self.blocks = dict(blocks)
-        ends = np.cumsum([0, *(len(block.start) for block in self.blocks.values())]).tolist()
-        self.places = {name: slice(*pair) for name, *pair in zip(self.blocks, ends, ends[1:], strict=False)}
-        self._told = {
-            name: np.concatenate([block.even(name) for block in self.blocks.values()])
-            for name in ("start", "expected", "spread", "tail", "rarity", "least", "most", "farthest", "longest")
+        ends = np.cumsum([0, *(len(block.initial) for block in self.blocks.values())]).tolist()
+        self.slices = {name: slice(*pair) for name, *pair in zip(self.blocks, ends, ends[1:], strict=False)}
+        self._prior = {
+            name: np.concatenate([block.per_parameter(name) for block in self.blocks.values()])
+            for name in ParameterBlock.__slots__
         }
 
     def values(self, vector: Array) -> Values:
-        """Return all blocks' values from (X,) numbers."""
-        return {name: vector[place] for name, place in self.places.items()}
+        """Return the values of all blocks from the stacked parameter vector (X,)."""
+        return {name: vector[place] for name, place in self.slices.items()}
 
-    def equations(self, vector: Array, found: Iterable[Rows]) -> tuple[Array, Array]:
-        """Return the normal equations (X, X), (X,) of a step from some values (X,)."""
-        told, away = self._told, vector - self._told["expected"]
-        held = cauchy((away / told["spread"]) ** 2, told["tail"]) / told["spread"] ** 2
-        matrix, right = np.diag(held), -held * away - told["rarity"]
-        for rows in found:
-            columns = np.concatenate([np.arange(self.places[name].start, self.places[name].stop) for name in rows.of])
-            root = np.sqrt(np.broadcast_to(rows.weight, rows.value.shape))
-            slopes = diags_array(root) @ rows.slopes if issparse(rows.slopes) else rows.slopes * root[:, None]
-            squared = slopes.T @ slopes
+    def normal_equations(self, vector: Array, found: Iterable[Residuals]) -> tuple[Array, Array]:
+        """Return the information matrix (X, X) and the right-hand side (X,) at a parameter vector (X,)."""
+        prior, offset = self._prior, vector - self._prior["mean"]
+        pull = cauchy_weights((offset / prior["sigma"]) ** 2, prior["cauchy_scale"]) / prior["sigma"] ** 2
+        matrix, right = np.diag(pull), -pull * offset - prior["decay_rate"]
+        for term in found:
+            columns = np.concatenate([np.arange(self.slices[name].start, self.slices[name].stop) for name in term.of])
+            root = np.sqrt(np.broadcast_to(term.weight, term.value.shape))
+            jacobian = diags_array(root) @ term.jacobian if issparse(term.jacobian) else term.jacobian * root[:, None]
+            squared = jacobian.T @ jacobian
             matrix[np.ix_(columns, columns)] += squared.toarray() if issparse(squared) else squared
-            right[columns] -= slopes.T @ (rows.value * root)
+            right[columns] -= jacobian.T @ (term.value * root)
         return matrix, right
 
-    def solve(self, look: Look, *, turns: int, damping: float = 1e-9, still: float = 0.0) -> Solution:
-        """Return the likeliest values.
+    def solve(
+        self, linearise: Linearise, *, iterations: int, damping: float = 1e-9, tolerance: float = 0.0
+    ) -> Solution:
+        """Return the most likely values.
 
         Parameters
         ----------
-        look : callable
-            ``look(values, turn)`` returns the evidence linearised at the values: curves are matched anew each turn.
-        turns : int
-            Steps at most.
+        linearise : callable
+            ``linearise(values, iteration)`` returns the residuals at the values; curves are matched anew each time.
+        iterations : int
+            At most this many steps.
         damping : float
-            Share by which every unknown is held more than it is known (Levenberg).
-        still : float
-            A step shorter than so many spreads of every unknown (of one, without a spread) is the last.
+            Share of its own diagonal entry that is added for every parameter (Levenberg).
+        tolerance : float
+            Stop once a step is shorter than this many sigmas of every parameter (or this long, without a prior).
         """
-        vector, told = self._told["start"].copy(), self._told
-        scale = np.where(np.isfinite(told["spread"]), told["spread"], 1.0)
-        room = np.where(np.isfinite(told["farthest"]), told["farthest"] * scale, np.inf)
-        guard = np.maximum(told["least"], told["expected"] - room), np.minimum(told["most"], told["expected"] + room)
-        for turn in range(turns):
-            matrix, right = self.equations(vector, look(self.values(vector), turn))
+        vector, prior = self._prior["initial"].copy(), self._prior
+        scale = np.where(np.isfinite(prior["sigma"]), prior["sigma"], 1.0)
+        room = np.where(np.isfinite(prior["max_sigmas"]), prior["max_sigmas"] * scale, np.inf)
+        guard = np.maximum(prior["lower"], prior["mean"] - room), np.minimum(prior["upper"], prior["mean"] + room)
+        for iteration in range(iterations):
+            matrix, right = self.normal_equations(vector, linearise(self.values(vector), iteration))
             damped = matrix + np.diag(damping * np.diag(matrix) + 1e-12)
-            step = bounded(damped, right, told["least"] - vector, told["most"] - vector)
-            step = np.clip(step, -told["longest"], told["longest"])
+            step = solve_bounded(damped, right, prior["lower"] - vector, prior["upper"] - vector)
+            step = np.clip(step, -prior["max_step"], prior["max_step"])
             vector = np.clip(vector + step, *guard)
-            if (np.abs(step) < still * scale).all():
+            if (np.abs(step) < tolerance * scale).all():
                 break
-        return Solution(self.values(vector), matrix, self.places)
+        return Solution(self.values(vector), matrix, self.slices)
 
 
-def bounded(matrix: Array, right: Array, least: Array, most: Array) -> Array:
-    """Return the unknowns (X,) of normal equations, none beyond its bounds; those that would be stay at theirs."""
+def solve_bounded(matrix: Array, right: Array, lower: Array, upper: Array) -> Array:
+    """Return the solution (X,) of normal equations within bounds, by an active set."""
     step = np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
     low: NDArray[np.bool_] = np.zeros(len(right), dtype=bool)
     high = low.copy()
-    while (step < least - 1e-12).any() or (step > most + 1e-12).any():
-        low, high = low | (step < least), high | (step > most)
-        held, free = np.where(low, least, np.where(high, most, 0.0)), ~(low | high)
+    while (step < lower - 1e-12).any() or (step > upper + 1e-12).any():
+        low, high = low | (step < lower), high | (step > upper)
+        held, free = np.where(low, lower, np.where(high, upper, 0.0)), ~(low | high)
         step = held.copy()
         step[free] = np.linalg.solve(matrix[np.ix_(free, free)], (right - matrix @ held)[free])
     return step

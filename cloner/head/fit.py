@@ -31,7 +31,7 @@ GATES_M = _CALIBRATED.pair("gates_m", "m")
 LEVEL_M = _CALIBRATED.number("level_m", "m")
 FOREHEAD_M = _CALIBRATED.number("forehead_m", "m")
 LAID_M = _CALIBRATED.number("laid_m", "m")
-PLACED_OUTLIER: Final = _CALIBRATED.number("placed_outlier", "spreads")
+PLACED_OUTLIER: Final = _CALIBRATED.number("placed_outlier", "sigmas")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,7 +64,7 @@ def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, floa
     first = facing_camera(points, side.points_px, azimuth=azimuth, focal_px=focal, width_px=width, height_px=height)
     sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
     tight = np.array([0.02, 0.02, 0.3])
-    named = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40)
+    named = resect(points, side.points_px, first, sigma_px=sigma, rotation_sigma=tight, outlier=1.5, iterations=40)
     if len(side.contour_px) == 0 or "nose_tip" not in side.names:  # no found point is certain to be there
         return [named]
     whole = model.whole(head)
@@ -77,7 +77,7 @@ def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, floa
     if error > LAID_M:
         return [named]
     laid = flat @ px_from_m[:, :2].T + px_from_m[:, 2]
-    return [named, resect(whole[vertices], laid, first, sigma_px=1.0, turn_sigma=tight, iterations=40)]
+    return [named, resect(whole[vertices], laid, first, sigma_px=1.0, rotation_sigma=tight, iterations=40)]
 
 
 def _net_sigma(model: Model, params: Params) -> Array:
@@ -121,7 +121,7 @@ def _front_evidence(
     skew = np.zeros((len(basis), len(base), 2))
     skew[: len(model.modes.skew_m)] = model.modes.skew_m / metres
     target = front.net_px - model.modes.seen_errors_m(camera) / metres
-    out = [Evidence(0, base, basis, target, sigma, drift_px=drift, skew_px=skew)]
+    out = [Evidence(0, base, basis, target, sigma, common_error_px=drift, shape_error_px=skew)]
     if len(front.vertices):
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
@@ -205,9 +205,9 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     if not present:
         return np.zeros(shapes + drifts), Fitted(model.head(np.zeros(shapes)), None, None), 0.0
     side_index = len(present) - 1
-    turn_sigma = np.full((len(present), 3), np.inf)
+    rotation_sigma = np.full((len(present), 3), np.inf)
     if side is not None:
-        turn_sigma[side_index] = [params.tip, params.yaw, np.inf]
+        rotation_sigma[side_index] = [params.tip, params.yaw, np.inf]
     candidates = profile_candidates(model)
     outlines = [one.outline for one in (front, side) if one is not None]
     before_front, before_side = model.in_photo(FRONT), model.in_photo(SIDE)
@@ -237,15 +237,15 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     fit = fit_shape(
         begin,
         gather,
-        at_least=at_least,
-        rarity=rarity,
-        turn_sigma=turn_sigma,
+        lower=at_least,
+        decay_rate=rarity,
+        rotation_sigma=rotation_sigma,
         zoom_sigma=zoom_sigma,
         iterations=iterations,
     )
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None
-    cost = misfit(fit, gather(fit, CURVE_FROM), turn_sigma)
+    cost = misfit(fit, gather(fit, CURVE_FROM), rotation_sigma)
     return fit.coefficients, Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera), cost
 
 

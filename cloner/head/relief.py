@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
-from cloner.fit.controls import Leftover, solve_relief
+from cloner.fit.controls import PhotoEvidence, solve_displacements
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.deformation.dffd import deform
 from cloner.geometry.meshes.surface import SurfacePoints
@@ -35,7 +35,7 @@ def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | N
 
     What the fit (its ``coefficients``) took for errors of the net is no shape: it is not followed.
     """
-    left: list[Leftover] = []
+    left: list[PhotoEvidence] = []
     if front is not None and fitted.front is not None:
         whole = model.whole_in_photo(FRONT, coefficients)
         net_error_m = net_errors(model, coefficients, fitted.front, params)
@@ -45,29 +45,29 @@ def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | N
         left += _side_leftovers(model, whole, fitted.side, side, controls, params)
     moved = np.zeros((len(controls.names), 3))
     if left:
-        moved[controls.movable] = solve_relief(
+        moved[controls.movable] = solve_displacements(
             controls.controls_m[controls.movable], left,
-            size_m=params.relief_m, bend_m=params.bend_m, limit_m=params.limit_m,
+            sigma_m=params.relief_m, neighbour_sigma_m=params.bend_m, limit_m=params.limit_m,
         )  # fmt: skip
     return replace(fitted, head_m=fitted.head_m + deform(controls.weights, moved)), moved
 
 
 def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, net_error_m: Array,
-                     controls: HeadControls, params: Params) -> list[Leftover]:  # fmt: skip
+                     controls: HeadControls, params: Params) -> list[PhotoEvidence]:  # fmt: skip
     metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
     weights = _rows(controls.weights, model, model.net.places, controls.movable)
     sigma = params.loose_net * net_errors_m(model, front, params) / metres
     target = front.net_px - net_error_m / metres
-    out = [Leftover(camera, model.net.places.at(whole), weights, target, sigma)]
+    out = [PhotoEvidence(camera, model.net.places.at(whole), weights, target, sigma)]
     if len(front.vertices):
         rows = csr_matrix(controls.weights[model.row[front.vertices]][:, np.flatnonzero(controls.movable)])
         sigma = np.full(len(front.vertices), 0.3 * params.corrected_m / metres)
-        out.append(Leftover(camera, whole[front.vertices], rows, front.points_px, sigma))
+        out.append(PhotoEvidence(camera, whole[front.vertices], rows, front.points_px, sigma))
     return out
 
 
 def _side_leftovers(model: Model, whole: Array, camera: Camera, side: Side, controls: HeadControls,
-                    params: Params) -> list[Leftover]:  # fmt: skip
+                    params: Params) -> list[PhotoEvidence]:  # fmt: skip
     metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
     movable = np.flatnonzero(controls.movable)
     vertices = outline_vertices(whole, profile_candidates(model), camera, side.facing)
@@ -75,14 +75,14 @@ def _side_leftovers(model: Model, whole: Array, camera: Camera, side: Side, cont
     kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
     rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
     sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
-    out = [Leftover(camera, whole[vertices[kept]], rows, target, sigma, normal)]
+    out = [PhotoEvidence(camera, whole[vertices[kept]], rows, target, sigma, normal)]
     if side.flank is not None and len(side.flank.vertices):
         rows = csr_matrix(controls.weights[model.row[side.flank.vertices]][:, movable])
         sigma = np.full(rows.shape[0], params.loose_net * params.flank_m / metres)
-        out.append(Leftover(camera, whole[side.flank.vertices], rows, side.flank.points_px, sigma))
+        out.append(PhotoEvidence(camera, whole[side.flank.vertices], rows, side.flank.points_px, sigma))
     fixed = side.sigma_m <= params.corrected_m
     if fixed.any():
         rows = csr_matrix(controls.weights[model.row[side.vertices[fixed]]][:, movable])
         sigma = np.full(int(fixed.sum()), 0.3 * params.corrected_m / metres)
-        out.append(Leftover(camera, whole[side.vertices[fixed]], rows, side.points_px[fixed], sigma))
+        out.append(PhotoEvidence(camera, whole[side.vertices[fixed]], rows, side.points_px[fixed], sigma))
     return out

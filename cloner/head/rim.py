@@ -148,7 +148,7 @@ class _Sight:
         target = self.outline.places_px[which] - (over_m / self.metres)[:, None] * normal
         drift = None if drift_m is None else (drift_m / self.metres)[:, :, None] * normal
         sigma = np.full(len(which), sigma_m / self.metres)
-        return [Evidence(self.index, base, basis, target, sigma, normal_px=normal, outlier=2.0, drift_px=drift)]
+        return [Evidence(self.index, base, basis, target, sigma, normal_px=normal, outlier=2.0, common_error_px=drift)]
 
 
 def _among(places: SurfacePoints, wanted: NDArray[np.bool_]) -> SurfacePoints:

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt, map_coordinates
 
 from cloner.calibration.loader import calibrated
-from cloner.fit.evidence import Rows, cauchy
-from cloner.fit.problem import Block, Problem, Values
+from cloner.fit.evidence import Residuals, cauchy_weights
+from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.deformation.dffd import deform
@@ -28,7 +28,7 @@ LEAST = _CALIBRATED.number("least", "factor")
 OUTSIDE_M = _CALIBRATED.number("outside_m", "m")
 MAP_PX_PER_M = _CALIBRATED.number("map_px_per_m", "px/m")
 #: Steps at most.
-TURNS = 12
+ITERATIONS = 12
 
 
 def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np.int64]]:
@@ -80,7 +80,7 @@ def fit_skull(
     fields, rows = skull_moves(model, controls)
     maps, own = _depth_maps(masks, head[rows].mean(axis=0)), fields[:, rows].transpose(1, 2, 0)
 
-    def outside(values: Values, turn: int) -> Iterator[Rows]:
+    def linearise(values: Values, iteration: int) -> Iterator[Residuals]:
         moved = head[rows] + own @ (values["factors"] - 1.0)
         for camera, depth, steep, step in maps:
             seen, by_points, _ = projection_derivatives(camera, moved)
@@ -91,8 +91,8 @@ def fit_skull(
             deeper = np.stack([map_coordinates(each, places[:, counts], order=1) for each in steep[::-1]], axis=1)
             by_factors = np.einsum("ni,nia,naf->nf", deeper / step, by_points[counts], own[counts], optimize=True)
             value = lacking[counts] / OUTSIDE_M
-            yield Rows(("factors",), value, -by_factors / OUTSIDE_M, np.sqrt(cauchy(value**2, 1.0)))
+            yield Residuals(("factors",), value, -by_factors / OUTSIDE_M, np.sqrt(cauchy_weights(value**2, 1.0)))
 
-    block = Block(np.ones(3), 1.0, EXPECTED, least=LEAST, most=1.0)
-    factors = Problem({"factors": block}).solve(outside, turns=TURNS, still=0.01).values["factors"]
+    block = ParameterBlock(np.ones(3), 1.0, EXPECTED, lower=LEAST, upper=1.0)
+    factors = Problem({"factors": block}).solve(linearise, iterations=ITERATIONS, tolerance=0.01).values["factors"]
     return head + np.tensordot(factors - 1.0, fields, axes=1), factors

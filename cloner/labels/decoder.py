@@ -28,7 +28,7 @@ SIDE_PX: Final = 256
 #: Sides of the maps of points and of parts, px.
 POINT_SIDE_PX: Final = 64
 PART_SIDE_PX: Final = 128
-WIDEST: Final = _CALIBRATED.number("widest", "spreads")
+WIDEST: Final = _CALIBRATED.number("widest", "sigmas")
 #: Which features enter at which side of the pyramid, px; 9 and 10 are the person masks of both nets.
 LEVELS: Final = ((16, (3, 8)), (32, (2, 7)), (64, (1, 4, 6)), (128, (0, 5)), (256, (9, 10)))
 

@@ -24,7 +24,7 @@ from cloner.records.arrays import Array
 _CALIBRATED: Final = calibrated("detectors.levels")
 
 
-GATE_SPREADS: Final = _CALIBRATED.number("gate_spreads", "spreads")
+GATE_SPREADS: Final = _CALIBRATED.number("gate_spreads", "sigmas")
 GATE_LEAST: Final = _CALIBRATED.number("gate_least", "figure")
 UNKNOWN: Final = _CALIBRATED.number("unknown", "figure")
 

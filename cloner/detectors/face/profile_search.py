@@ -25,7 +25,7 @@ _SIZES: Final = np.geomspace(0.66, 1.5, 12)
 _TILTS: Final = np.radians(np.linspace(-27.0, 27.0, 10))
 #: Modes of which both ends are tried, and how far they go, standard deviations.
 _TRIED_MODES: Final = 3
-_TRIED_SIGMA: Final = _CALIBRATED.number("tried_sigma", "spreads")
+_TRIED_SIGMA: Final = _CALIBRATED.number("tried_sigma", "sigmas")
 _FEEL_M: Final = _CALIBRATED.number("feel_m", "m")
 _CAP_M: Final = _CALIBRATED.number("cap_m", "m")
 _UNUSUAL_SIZE: Final = _CALIBRATED.number("unusual_size", "cost")

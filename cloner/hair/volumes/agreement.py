@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.body.carriage_sight import placed
-from cloner.fit.evidence import Rows
+from cloner.fit.evidence import Residuals
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
@@ -70,13 +70,13 @@ class LineReading:
         Signed distance to the photo's hairline.
     trust : (N,) float64
         How squarely the photo sees the vertex; zero where it says nothing.
-    slopes : (N, angles) float64
+    jacobian : (N, angles) float64
         Derivatives of the distance by the photo's angles, mm per radian.
     """
 
     distance_mm: Array
     trust: Array
-    slopes: Array
+    jacobian: Array
 
 
 def hair_fields(
@@ -127,12 +127,12 @@ def read_line(
     away, pixels, cosine = read(angles)
     camera = turned(angles).camera
     shown = (pixels > BORDER_PX).all(axis=1) & (pixels < (camera.width_px - 4.0, camera.height_px - 4.0)).all(axis=1)
-    slopes = [
+    jacobian = [
         (read(angles + STEP_RAD * one)[0] - read(angles - STEP_RAD * one)[0]) / (2.0 * STEP_RAD)
         for one in np.eye(len(angles))
     ]
     good = shown & (cosine > LEAST_COSINE) & (np.abs(away) < REACH_MM)
-    return LineReading(away, np.where(good, cosine, 0.0), np.stack(slopes, axis=1))
+    return LineReading(away, np.where(good, cosine, 0.0), np.stack(jacobian, axis=1))
 
 
 def agreement(
@@ -140,7 +140,7 @@ def agreement(
     lines: Mapping[ViewId, HairField],
     turned: Mapping[ViewId, Callable[[Array], PosedView]],
     angles: Mapping[ViewId, Array],
-) -> Iterator[Rows]:
+) -> Iterator[Residuals]:
     """Yield each photo's differences (R,) from what all photos say of the same vertices.
 
     They depend on every photo's angles, as the mean that all are compared with moves too.
@@ -167,8 +167,8 @@ def agreement(
         away = np.tanh((reading.distance_mm - mean)[used] / SPREAD_MM / 4.0)
         weight = np.sqrt(trust[place][used] / max(np.count_nonzero(used) / INDEPENDENT, 1.0))
         steep = (weight * (1.0 - away**2) / SPREAD_MM)[:, None]
-        slopes = [
-            steep * (float(row == place) - share[row][used])[:, None] * theirs.slopes[used]
+        jacobian = [
+            steep * (float(row == place) - share[row][used])[:, None] * theirs.jacobian[used]
             for row, theirs in enumerate(readings.values())
         ]
-        yield Rows(of, 4.0 * away * weight, np.hstack(slopes))
+        yield Residuals(of, 4.0 * away * weight, np.hstack(jacobian))

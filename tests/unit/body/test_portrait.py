@@ -90,7 +90,7 @@ def test_what_a_face_has_of_its_own_is_no_build():
 
 def test_a_grimace_makes_no_caricature():
     guess = portrait_shape(load_generic(), portrait(np.zeros(1), noise_px=60.0))
-    assert np.abs(guess).max() <= Params().most_sigmas
+    assert np.abs(guess).max() <= Params().max_sigmas
 
 
 def test_without_a_face_the_build_is_the_mean():

@@ -177,11 +177,11 @@ def test_joints_tell_how_their_pixels_move_with_angles_and_camera(body):
         return stances._joint_rows(body, moved, told, values, pivot)
 
     step = 1e-5
-    for column in np.flatnonzero(np.abs(rows(at).slopes).max(axis=0) > 0.0):
+    for column in np.flatnonzero(np.abs(rows(at).jacobian).max(axis=0) > 0.0):
         way = step * np.eye(len(at))[column]
         difference = (rows(at + way).value - rows(at - way).value) / (2.0 * step)
         # exact for angles; the camera's turn is linear about where it is
-        np.testing.assert_allclose(rows(at).slopes[:, column], difference, rtol=2e-3, atol=2e-2)
+        np.testing.assert_allclose(rows(at).jacobian[:, column], difference, rtol=2e-3, atol=2e-2)
 
 
 def test_joints_that_are_seen_pull_limbs_that_outlines_leave(body):

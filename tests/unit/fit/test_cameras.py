@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.fit.cameras import Aim, resect
+from cloner.fit.cameras import CameraUnknowns, resect
 from cloner.geometry.articulation.skinning import rotation_matrices, skew, turning_axes
 from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
 from cloner.records.views import Camera
@@ -57,8 +57,8 @@ def test_a_camera_turns_about_its_pivot_and_then_shifts() -> None:
 
 
 def test_a_zoom_keeps_the_size_of_what_lies_at_its_depth() -> None:
-    aim = Aim(camera(), 1.3)
-    pixels, by_points, by_aim = aim.seen(PLACES, MOTION, 0.2)
+    aim = CameraUnknowns(camera(), 1.3)
+    pixels, by_points, by_aim = aim.project(PLACES, MOTION, 0.2)
     np.testing.assert_allclose(pixels, aim.camera(MOTION, 0.2).project(PLACES))
     told = differences(lambda x: aim.camera(x[:6], x[6]).project(PLACES), np.append(MOTION, 0.2))
     np.testing.assert_allclose(by_aim, told, atol=1e-3)
@@ -89,6 +89,6 @@ def test_a_turn_that_points_do_not_tell_stays_as_expected() -> None:
     """One point cannot tell a turn: all of its way is a shift."""
     place = PLACES[:1]
     turns = np.full(3, 1e-4)
-    found = resect(place, camera().project(place) + 20.0, camera(), turn_sigma=turns)
+    found = resect(place, camera().project(place) + 20.0, camera(), rotation_sigma=turns)
     np.testing.assert_allclose(found.camera_from_model[:3, :3], camera().camera_from_model[:3, :3], atol=1e-4)
     np.testing.assert_allclose(found.project(place), camera().project(place) + 20.0, atol=0.01)

@@ -25,7 +25,9 @@ def found_yaw_deg(true_deg: float, sigma_px: float, expected_deg: float) -> floa
         return [Evidence(0, PLACES, np.zeros((1, 40, 3)), target, np.full(40, sigma_px), outlier=1e6)]
 
     turns = np.array([[np.inf, np.radians(expected_deg), np.inf]])
-    fit = fit_shape(ShapeFit(np.zeros(1), (camera(0.0),), np.zeros((1, 3))), gather, turn_sigma=turns, iterations=40)
+    fit = fit_shape(
+        ShapeFit(np.zeros(1), (camera(0.0),), np.zeros((1, 3))), gather, rotation_sigma=turns, iterations=40
+    )
     axis = fit.cameras[0].camera_from_model[2, :3]
     return float(np.degrees(np.arctan2(-axis[0], -axis[2])))
 
@@ -52,7 +54,7 @@ def test_a_bounded_coefficient_stays_within_and_lets_the_others_explain(true, fo
 
     held = np.full((1, 3), 1e-9)
     start = ShapeFit(np.zeros(2), (camera(0.0),), np.zeros((1, 3)))
-    fit = fit_shape(start, gather, at_least=np.array([0.0, -np.inf]), turn_sigma=held)
+    fit = fit_shape(start, gather, lower=np.array([0.0, -np.inf]), rotation_sigma=held)
     assert fit.coefficients[0] >= 0.0
     if found:
         assert fit.coefficients[0] - fit.coefficients[1] == pytest.approx(0.2, abs=0.02)
@@ -71,5 +73,5 @@ def test_a_camera_that_must_come_nearer_never_passes_the_face(turns, depth_m):
         return [Evidence(0, flat, np.zeros((1, 40, 3)), target, np.full(40, 1.0), outlier=1e6)]
 
     start = ShapeFit(np.zeros(1), (camera(0.0),), np.zeros((1, 3)))
-    fit = fit_shape(start, gather, turn_sigma=np.full((1, 3), 1e-9), iterations=turns)
+    fit = fit_shape(start, gather, rotation_sigma=np.full((1, 3), 1e-9), iterations=turns)
     assert fit.cameras[0].camera_from_model[2, 3] == pytest.approx(depth_m, rel=1e-3)

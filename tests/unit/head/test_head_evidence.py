@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.fit.cameras import Aim
+from cloner.fit.cameras import CameraUnknowns
 from cloner.frames import ViewId
 from cloner.head.ears import Spots
 from cloner.head.evidence import Params, _beardless, _of_the_face
@@ -72,7 +72,7 @@ def test_a_point_dragged_far_keeps_its_weight_where_a_proposed_one_is_doubted() 
     params = Params()
     spots = Spots(lobe, away, np.array([0.0025, params.corrected_m]))
     proposed, placed = _by_trust(model, spots, 0, metres, params, outlier=1.5)
-    aim, mean, still = Aim(seen), np.zeros(len(model.basis_m)), np.zeros(6)
-    weights = [np.min(one.rows(mean, aim, still).weight) for one in (proposed, placed)]
+    aim, mean, still = CameraUnknowns(seen), np.zeros(len(model.basis_m)), np.zeros(6)
+    weights = [np.min(one.residuals(mean, aim, still).weight) for one in (proposed, placed)]
     assert weights[0] < 0.4
     assert weights[1] > 0.6

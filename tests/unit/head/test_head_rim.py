@@ -66,7 +66,7 @@ def test_jaw_and_vault_follow_the_outline_of_a_known_head(hair_mm: float) -> Non
     fit = fit_shape(
         ShapeFit(start, (camera,), np.zeros((1, 3))),
         lambda fit, iteration: rim_evidence([model], fit.coefficients, fit.cameras, [outline], 0),
-        turn_sigma=np.full((1, 3), 1e-6),
+        rotation_sigma=np.full((1, 3), 1e-6),
     )
 
     found = model.head(fit.coefficients[: len(true)])
