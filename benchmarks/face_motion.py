@@ -20,7 +20,7 @@ from head_people import random_face
 from cloner.evaluate.measures.face_motion import FaceFigures, face_figures, mixture_figures, target_figures
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
-from cloner.head.parts import seat_parts
+from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
 from cloner.motion.face.limits import limited
 from cloner.picture import clone_of
@@ -52,7 +52,7 @@ def random_head(seed: int) -> Clone:
     generic = load_generic()
     person, stature_m = random_face(generic, np.random.default_rng(seed), bent=bool(seed % 2))
     plain = generic_clone(generic, stature_m)
-    rest = seat_parts(plain.vertices_m, person, None)
+    rest = place_eyes_and_mouth(plain.vertices_m, person, None)
     names, index, delta, start = face_targets(rest)
     return replace(plain, vertices_m=rest, morph_names=names, morph_index=index, morph_delta_m=delta, morph_start=start)
 

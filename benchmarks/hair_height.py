@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.hair_height import above_the_eyes
+from cloner.body.hair_height import height_above_eyes
 from cloner.errors import ClonerError
 from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.frames import ViewId, mm_from_m
@@ -45,7 +45,7 @@ def told(person: Path) -> float | None:
     seen, outline = (values[name].views.get(ViewId.BODY_FRONT) for name in ("proposals", "silhouettes"))
     if seen is None or outline is None or seen.face_presence == 0.0:
         return None
-    return above_the_eyes(seen.face_px, outline.top_px)
+    return height_above_eyes(seen.face_px, outline.top_px)
 
 
 def line(shares: NDArray[np.float64], heights_mm: NDArray[np.float64]) -> tuple[float, float, float]:

@@ -22,8 +22,8 @@ from cloner.frames import ViewId
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.deformation.dffd import deform
-from cloner.head.evidence import Log, Params, read_front, read_side
-from cloner.head.model import make_model
+from cloner.head.evidence import FitLog, Params, front_evidence, side_evidence
+from cloner.head.model import make_head_model
 from cloner.head.modes import load_head_modes
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
@@ -97,11 +97,11 @@ def true_net_px(vertices: Array, camera: Camera) -> Array:
 
 def steps(values: Values) -> dict[str, Array]:
     """Return the person's vertices (V, 3) after every step of the head's fit, and by other deformations."""
-    generic, params, log = load_generic(), Params(), Log()
+    generic, params, log = load_generic(), Params(), FitLog()
     phenotype, photos = values["phenotype"], values["photos"]
-    model = make_model(phenotype)
-    front = read_front(model, photos, values["proposals"], values["face_points"], params)
-    side = read_side(model, values["proposals"], values["silhouettes"], values["face_points"], params)
+    model = make_head_model(phenotype)
+    front = front_evidence(model, photos, values["proposals"], values["face_points"], params)
+    side = side_evidence(model, values["proposals"], values["silhouettes"], values["face_points"], params)
     shaped = head.shape_head(model, photos, phenotype, (front, side), params, log, lambda fraction: None)
     mean, _ = generic.shape(np.zeros(0), phenotype.stature_m)
     out = {

@@ -15,7 +15,7 @@ from cloner.exporters.shared.files import jpeg_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
-from cloner.head.jaw import closed_jaw
+from cloner.head.jaw import with_closed_jaw
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
@@ -99,7 +99,7 @@ def write_previews(
             continue
         camera, window = _frame(photo, posed, silhouettes.views.get(view))
         # A laugh is shown with closed lips: an opened jaw alone would be a mouth without teeth.
-        layers = clone_layers(clone, closed_jaw(load_generic(), posed.rotations))
+        layers = clone_layers(clone, with_closed_jaw(load_generic(), posed.rotations))
         drawn = window.crop(draw(layers, camera, background=_BACKDROP))
         seen = window.crop(_resized(photo.rgb, camera))
         pictures[f"beside_{view}"] = np.hstack([seen, drawn])

@@ -1,1 +1,1 @@
-"""The body: pose, cameras, build and outlines, and how the head is carried."""
+"""The body: poses, cameras, shape and outlines, and the head's pose in each photo."""

@@ -1,4 +1,4 @@
-"""Bones have one length: a joint that stretches its bone in one photo is believed less there."""
+"""Consistent bone lengths: a joint that stretches its bone in one photo gets a larger sigma there."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ def check_bones(body: Mapping[ViewId, ViewPoints], height_px: Mapping[ViewId, fl
     checked = dict(body)
     for view in body:
         for side in ("left", "right"):
-            for joint, away in _faults(lengths, view, side).items():
-                checked[view] = _mistrusted(checked[view], side, joint, away)
+            for joint, away in _joints_at_fault(lengths, view, side).items():
+                checked[view] = _with_added_error(checked[view], side, joint, away)
     return checked
 
 
@@ -59,8 +59,8 @@ def _length(points: ViewPoints, side: str, bone: str, height_px: float) -> float
     return float(np.linalg.norm(end - start)) / height_px
 
 
-def _faults(lengths: Mapping[tuple[ViewId, str, str], float], view: ViewId, side: str) -> dict[str, float]:
-    """Return the joints at fault in one photo, and how far off they may be, figure heights."""
+def _joints_at_fault(lengths: Mapping[tuple[ViewId, str, str], float], view: ViewId, side: str) -> dict[str, float]:
+    """Return the inconsistent joints of one photo and their possible error, figure heights."""
     away: dict[str, float] = {}
     for bone in BONES:
         own = lengths.get((view, side, bone))
@@ -83,8 +83,8 @@ def _faults(lengths: Mapping[tuple[ViewId, str, str], float], view: ViewId, side
     return faults
 
 
-def _mistrusted(points: ViewPoints, side: str, joint: str, away: float) -> ViewPoints:
-    """Return the points with the error added to a joint and to the outline points beside it."""
+def _with_added_error(points: ViewPoints, side: str, joint: str, away: float) -> ViewPoints:
+    """Return the points with an error added to a joint and to the outline points beside it."""
     confidence, name = points.confidence.copy(), f"{side[0]}_{joint}"
     beside = {f"{joint}_{where}_{side}" for where in ("outer", "inner", "front", "back")}
     for row, own in enumerate(points.names):

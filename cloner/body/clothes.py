@@ -1,4 +1,4 @@
-"""Clothes on the generic human: how far cloth stands off the skin, as modes of the family fitted to outlines.
+"""Clothing ease: how far cloth stands off the skin, as modes that are fitted to outlines.
 
 An outline shows cloth. Without these modes a fit explains wide trousers by legs that
 step apart in the side photo (37 mm at the knees of a man in a suit who stood with both
@@ -27,8 +27,8 @@ _CALIBRATED: Final = calibrated("body.clothes")
 
 
 @dataclass(frozen=True, slots=True)
-class Ease:
-    """Cloth over some segments: how far it stands off the skin.
+class ClothingEase:
+    """Ease of the cloth over some segments.
 
     Attributes
     ----------
@@ -47,10 +47,12 @@ class Ease:
 
 #: Shirt or jacket, its sleeves, trousers, and how trouser legs widen towards the hem.
 EASES: Final = (
-    Ease(("torso", "pelvis"), *_CALIBRATED.pair("trunk_m", "m")),
-    Ease(("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm"), *_CALIBRATED.pair("sleeves_m", "m")),
-    Ease(("left_thigh", "right_thigh", "left_calf", "right_calf"), *_CALIBRATED.pair("trousers_m", "m")),
-    Ease(("left_calf", "right_calf"), *_CALIBRATED.pair("hems_m", "m"), hangs=True),
+    ClothingEase(("torso", "pelvis"), *_CALIBRATED.pair("trunk_m", "m")),
+    ClothingEase(
+        ("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm"), *_CALIBRATED.pair("sleeves_m", "m")
+    ),
+    ClothingEase(("left_thigh", "right_thigh", "left_calf", "right_calf"), *_CALIBRATED.pair("trousers_m", "m")),
+    ClothingEase(("left_calf", "right_calf"), *_CALIBRATED.pair("hems_m", "m"), hangs=True),
 )
 
 
@@ -60,8 +62,8 @@ SEAM_M: Final = _CALIBRATED.number("seam_m", "m")
 
 
 @functools.cache
-def _directions() -> Array:
-    """Return (E, V, 3) how the generic's vertices move per metre of every ease."""
+def _ease_directions() -> Array:
+    """Return the displacements (E, V, 3) of vertices per metre of each ease."""
     generic = load_generic()
     skin = generic.skin
     normals = vertex_normals(generic.vertices_m.astype(np.float64), body_triangles())
@@ -75,17 +77,17 @@ def _directions() -> Array:
     return np.array(rows)
 
 
-def eased() -> tuple[Array, Array]:
-    """Return what usual clothes add to the skin (V, 3), and their ease's modes (E, V, 3); metres at any stature."""
-    directions = _directions()
+def clothing_modes() -> tuple[Array, Array]:
+    """Return mean displacement (V, 3) of clothed skin and modes of its ease (E, V, 3), metres at any stature."""
+    directions = _ease_directions()
     mean = np.einsum("e,eva->va", np.array([ease.mean_m for ease in EASES]), directions)
     return mean, directions * np.array([ease.spread_m for ease in EASES])[:, None, None]
 
 
 def clothed_body(phenotype: Phenotype) -> tuple[Array, Array]:
-    """Return vertices (V, 3) and joints (94, 3) of the nearest generic human in the clothes that the photos show."""
+    """Return vertices (V, 3) and joints (94, 3) of the phenotype in the clothes that the photos show."""
     vertices, joints = load_generic().shape(phenotype.coefficients, phenotype.stature_m)
     if len(phenotype.ease):
-        mean, modes = eased()
+        mean, modes = clothing_modes()
         vertices = vertices + mean + np.einsum("e,eva->va", phenotype.ease, modes)
     return vertices, joints

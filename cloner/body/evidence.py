@@ -1,4 +1,4 @@
-"""What a body photo says about shape, pose and camera: its outline, the pose net's points, an operator's points."""
+"""Evidence of a body photo about shape, pose and camera: outline, points of the pose net, points of an operator."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _CALIBRATED: Final = calibrated("body.evidence")
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """Weights of the evidence, as spreads.
+    """Standard deviations of the evidence.
 
     Its numbers: ``cloner/calibration/body.toml``, ``[evidence.*]``.
 
@@ -62,8 +62,8 @@ class Params:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Evidence:
-    """What one photo says, with the first camera.
+class PhotoEvidence:
+    """Evidence of one photo, with an initial camera.
 
     Attributes
     ----------
@@ -101,8 +101,8 @@ def gather_evidence(
     proposal: Proposal,
     hair_mm: tuple[float, float],
     params: Params,
-) -> Evidence:
-    """Return what one photo says, prepared for fitting."""
+) -> PhotoEvidence:
+    """Return the evidence of one photo, prepared for the fit."""
     mm_per_px = mm_from_m(view.camera.metres_per_pixel(np.array([0.0, 0.9, 0.0])))
     reduction = max(view.camera.height_px / params.height_px, 1.0)
     field = outline_field(
@@ -117,4 +117,4 @@ def gather_evidence(
     top = outline.top_px if ENDS[0] not in placed else float(placed[ENDS[0]][1]) - 0.5
     soles = {name.removeprefix("sole_"): float(placed[name][1]) + 0.5 for name in ENDS[1:] if name in placed}
     net = net_points(proposal, view.side_shown, without=tuple(placed))
-    return Evidence(view, points, net, field, mm_per_px, top, hair_mm, soles, proposal.barefoot)
+    return PhotoEvidence(view, points, net, field, mm_per_px, top, hair_mm, soles, proposal.barefoot)

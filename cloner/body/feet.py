@@ -1,4 +1,4 @@
-"""Feet sized from the photos: a shoe closes over the toes, soles reach the floor."""
+"""Feet scaled to the photos: closed toes in shoes, flat soles."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Params:
 
 @functools.cache
 def _feet() -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
-    """Return the feet's vertices, their foot weight, and the ankle joint of each."""
+    """Return the feet's vertices, their foot weights, and the ankle joint of each."""
     generic = load_generic()
     weights = np.column_stack([generic.share("left_foot"), generic.share("right_foot")])
     vertices = np.flatnonzero(weights.sum(axis=1) > 0.01)
@@ -52,7 +52,7 @@ def _feet() -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShoeTip:
-    """The room in which toes are: a convex hull around a middle that sees all of it.
+    """The inside of a shoe's tip: a convex hull, star-shaped around a middle.
 
     Attributes
     ----------
@@ -67,18 +67,18 @@ class ShoeTip:
     planes: Array
 
     def flat(self, points_m: Array) -> Array:
-        """Return (N, 2) where the directions of points lie on a disc, straight ahead in its middle."""
+        """Return the directions of points from the middle as (N, 2) on a disc, straight ahead in its centre."""
         way = (points_m - self.middle) / self.half
         way /= np.linalg.norm(way, axis=1, keepdims=True)
         return np.asarray(way[:, :2] / (1.0 + way[:, 2:]))
 
     def laid(self, flat: Array) -> Array:
-        """Return (N, 3) the places on the hull, metres, of places on the disc."""
+        """Return the points (N, 3) on the hull, metres, for positions on the disc."""
         out = (flat**2).sum(axis=1, keepdims=True)
-        return self.pushed(self.middle + np.hstack([2.0 * flat, 1.0 - out]) / (1.0 + out) * self.half)
+        return self.onto_hull(self.middle + np.hstack([2.0 * flat, 1.0 - out]) / (1.0 + out) * self.half)
 
-    def pushed(self, points_m: Array) -> Array:
-        """Return points (N, 3) pushed straight away from the middle on to the hull."""
+    def onto_hull(self, points_m: Array) -> Array:
+        """Return points (N, 3) projected radially on to the hull."""
         ray = points_m - self.middle
         rise = ray @ self.planes[:, :3].T
         room = -(self.middle @ self.planes[:, :3].T + self.planes[:, 3])
@@ -87,7 +87,7 @@ class ShoeTip:
 
 
 def _front(mesh: BodyMesh, side: str) -> tuple[NDArray[np.int64], Array]:
-    """Return a foot's vertices before its instep, and how far before, from 0 to 1 at the longest toe's tip."""
+    """Return a foot's vertices before its instep, and how far before, 0 to 1 at the tip of the longest toe."""
     generic = load_generic()
     vertices, _, ankle = _feet()
     own = vertices[ankle == generic.joint(f"{side}_ankle")]
@@ -98,8 +98,8 @@ def _front(mesh: BodyMesh, side: str) -> tuple[NDArray[np.int64], Array]:
     return own[front], before[front]
 
 
-def _tip(mesh: BodyMesh, side: str) -> ShoeTip:
-    """Return the room of one foot's toes, on a flat sole."""
+def _shoe_tip(mesh: BodyMesh, side: str) -> ShoeTip:
+    """Return the inside of one shoe's tip, on a flat sole."""
     generic = load_generic()
     points = mesh.vertices_m[_front(mesh, side)[0]]
     foot = generic.region("sole") & generic.region({"l": "foot_left", "r": "foot_right"}[side])
@@ -113,8 +113,8 @@ def _tip(mesh: BodyMesh, side: str) -> ShoeTip:
 
 
 @functools.cache
-def toes_share() -> Array:
-    """Return (V,) how far each vertex belongs to the toes, 0 from the instep backwards."""
+def toe_weights() -> Array:
+    """Return the weight (V,) with which each vertex belongs to the toes, 0 from the instep backwards."""
     generic = load_generic()
     mesh = BodyMesh(generic.vertices_m.astype(np.float64), generic.joints_m.astype(np.float64))
     share = np.zeros(len(mesh.vertices_m))
@@ -127,7 +127,7 @@ def toes_share() -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Toes:
-    """The left toes and how they lie in a shoe.
+    """The left toes and their positions in a shoe.
 
     Attributes
     ----------
@@ -148,7 +148,7 @@ class Toes:
 
 @functools.cache
 def _toes() -> Toes:
-    """Return how toes lie in a shoe.
+    """Return the toes' positions in a shoe.
 
     Pushed straight outwards the toes' sides would cover each other; laid out from the ring that bounds them every
     place of the shoe is covered once, by about as much skin as it had.
@@ -162,7 +162,7 @@ def _toes() -> Toes:
     rows = np.unique(triangles).astype(np.int64)
     local = np.searchsorted(rows, triangles)
     edges, owners = edges_of(local)
-    rim, room = np.unique(edges[owners == 1]), _tip(mesh, "l")
+    rim, room = np.unique(edges[owners == 1]), _shoe_tip(mesh, "l")
     flat = room.flat(mesh.vertices_m[rows])
     shares = even_disc(local, areas(mesh.vertices_m, triangles), flat[rim], room.laid)
     even = shares @ flat[rim]
@@ -172,22 +172,22 @@ def _toes() -> Toes:
 
 
 def _peaks(heights: Array, edges: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return the rows that are higher than all their neighbours."""
+    """Return the local maxima of heights on a mesh."""
     highest = np.full(len(heights), -np.inf)
     for one, other in ((0, 1), (1, 0)):
         np.maximum.at(highest, edges[:, one], heights[edges[:, other]])
     return np.flatnonzero(heights > highest)
 
 
-def closed_toes(mesh: BodyMesh) -> BodyMesh:
-    """Return the body with its toes closed to their convex hull, as in a shoe, without a fold."""
+def close_toes(mesh: BodyMesh) -> BodyMesh:
+    """Return the body with its toes closed to their convex hull, as in a shoe, without folds."""
     mirror, toes = load_generic().mirror, _toes()
     moved = mesh.vertices_m.copy()
     for side in ("l", "r"):
-        room = _tip(mesh, side)
+        room = _shoe_tip(mesh, side)
         front, before = _front(mesh, side)
         share = np.clip(before / TOES_FROM, 0.0, 1.0)[:, None]
-        moved[front] += share * (room.pushed(mesh.vertices_m[front]) - mesh.vertices_m[front])
+        moved[front] += share * (room.onto_hull(mesh.vertices_m[front]) - mesh.vertices_m[front])
         left = side == "l"
         own, ring = (toes.vertices, toes.ring) if left else (mirror[toes.vertices], mirror[toes.ring])
         outwards = 1.0 if left else -1.0
@@ -195,7 +195,7 @@ def closed_toes(mesh: BodyMesh) -> BodyMesh:
     return BodyMesh(moved, mesh.joints_m)
 
 
-def sized_feet(mesh: BodyMesh, size: Array, sole_m: float) -> Array:
+def scale_feet(mesh: BodyMesh, size: Array, sole_m: float) -> Array:
     """Return the vertices with both feet scaled about their ankles.
 
     Parameters
@@ -215,14 +215,14 @@ def sized_feet(mesh: BodyMesh, size: Array, sole_m: float) -> Array:
     return moved
 
 
-def shaped_feet(mesh: BodyMesh, sole_m: float, params: Params) -> tuple[BodyMesh, Array, Array]:
-    """Return the body with toes closed where it wears shoes, the feet's usual size and its spread."""
+def shape_feet(mesh: BodyMesh, sole_m: float, params: Params) -> tuple[BodyMesh, Array, Array]:
+    """Return the body with toes closed where it wears shoes, the feet's expected size and its sigma."""
     shod = sole_m > params.barefoot_m
     mean = np.array(params.shod) if shod else np.array([1.0, 1.0, 1.0, 0.0])
-    return (flat_soled(closed_toes(mesh)) if shod else mesh), mean, np.array(params.spread)
+    return (flatten_soles(close_toes(mesh)) if shod else mesh), mean, np.array(params.spread)
 
 
-def flat_soled(mesh: BodyMesh) -> BodyMesh:
+def flatten_soles(mesh: BodyMesh) -> BodyMesh:
     """Return the body with the arches of its soles filled down to the floor, as a shoe's sole does.
 
     Closed toes are as low as they get: their skin lies all around the shoe's tip.

@@ -1,4 +1,4 @@
-"""Shoes on the generic human: its feet closed, lengthened and raised as shoes show them in outlines.
+"""Footwear: feet closed, lengthened and raised as outlines show shoes.
 
 An outline shows shoes, not feet. So the family of bodies that is fitted to photos
 wears shoes of a usual shape, and three numbers of the family's linear model tell
@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.body.feet import closed_toes, sized_feet
+from cloner.body.feet import close_toes, scale_feet
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
 from cloner.records.arrays import Array
@@ -24,7 +24,7 @@ _CALIBRATED: Final = calibrated("body.footwear")
 
 @dataclass(frozen=True, slots=True)
 class Footwear:
-    """A kind of footwear: usual size and one standard deviation each.
+    """A kind of footwear: mean size and one standard deviation.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class Footwear:
 
 
 def _kind(name: str, *, closed: bool) -> Footwear:
-    """Return a kind of footwear as calibrated."""
+    """Return a kind of footwear from the calibration."""
     return Footwear(
         _CALIBRATED.quadruple(f"{name}_sole_m", "m"),
         _CALIBRATED.pair(f"{name}_length", "factor"),
@@ -62,8 +62,8 @@ BAREFOOT: Final = _kind("barefoot", closed=False)
 FOOTWEAR = 3
 
 
-def shod(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array, Array]:
-    """Return vertices (V, 3) of the mean human in footwear, and the modes' moves (3, V, 3), metres.
+def with_footwear(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array, Array]:
+    """Return vertices (V, 3) of the mean human in footwear, and the displacements (3, V, 3) of its modes, metres.
 
     Parameters
     ----------
@@ -72,12 +72,12 @@ def shod(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array
     """
     scale = stature_m / GENERIC_STATURE_M
     mesh = BodyMesh(scale * generic.vertices_m.astype(np.float64), scale * generic.joints_m.astype(np.float64))
-    foot = closed_toes(mesh) if wear.closed else mesh
+    foot = close_toes(mesh) if wear.closed else mesh
     sole, length, width = wear.sole_m[:2], wear.length, wear.width
 
     def sized(sole_sigmas: float, length_sigmas: float, width_sigmas: float) -> Array:
         size = (width[0] + width_sigmas * width[1], length[0] + length_sigmas * length[1], wear.instep, 0.0)
-        return sized_feet(foot, np.array(size), sole[0] + sole_sigmas * sole[1])
+        return scale_feet(foot, np.array(size), sole[0] + sole_sigmas * sole[1])
 
     mean = sized(0.0, 0.0, 0.0)
     modes = np.array([(sized(*step) - sized(*(-step))) / 2.0 for step in np.eye(FOOTWEAR)])
@@ -85,6 +85,6 @@ def shod(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array
 
 
 def sole_height(wear: Footwear, sigmas: float) -> float:
-    """Return the soles' height in metres, within the footwear's limits."""
+    """Return the height of the soles, metres, within the footwear's limits."""
     mean, spread, low, high = wear.sole_m
     return float(np.clip(mean + sigmas * spread, low, high))

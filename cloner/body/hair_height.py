@@ -1,4 +1,4 @@
-"""How far hair stands above the skull, told by the face beneath it.
+"""Height of the hair above the skull, estimated from the face below it.
 
 The stature ends at the skull, a photo's outline at the hair. What lies between is read from how far the outline's top
 is above the eyes, in lengths from the eyes to the chin: high hair, or a high cap, stands far above a face. Faces
@@ -31,8 +31,8 @@ EYES: Final = (33, 263)
 CHIN: Final = 152
 
 
-def above_the_eyes(face_px: NDArray[np.float64], top_px: float) -> float:
-    """Return how far a photo's top row is above the eyes, as a multiple of how far the chin is below them.
+def height_above_eyes(face_px: NDArray[np.float64], top_px: float) -> float:
+    """Return the height of a photo's top row above the eyes, as a multiple of the distance from eyes to chin.
 
     Parameters
     ----------
@@ -46,13 +46,13 @@ def above_the_eyes(face_px: NDArray[np.float64], top_px: float) -> float:
 
 
 def hair_height_mm(proposals: Proposals, silhouettes: SilhouetteSet) -> tuple[float, float]:
-    """Return the height of hair above the skull and its spread, mm; what is usual where no body photo shows a face."""
+    """Return the height of hair above the skull and its sigma, mm; people's mean where no body photo shows a face."""
     proposal, outline = proposals.views.get(ViewId.BODY_FRONT), silhouettes.views.get(ViewId.BODY_FRONT)
     if proposal is None or outline is None or proposal.face_presence == 0.0:
         return USUAL_MM, SPREAD_MM
     if _is_bald(proposals):
         return 0.0, BALD_SPREAD_MM
-    share = above_the_eyes(proposal.face_px, outline.top_px)
+    share = height_above_eyes(proposal.face_px, outline.top_px)
     return max(FACE_MM * share - BARE_MM, 0.0), SPREAD_MM
 
 

@@ -1,4 +1,4 @@
-"""Hands of the photos' length and width; no slice pushes a hand."""
+"""Hands scaled to the length and width that photos show; slices do not move hands."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ SPREAD = _CALIBRATED.pair("spread", "factor")
 
 @functools.cache
 def _hand(side: str) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
-    """Return a hand's vertices, their weight, and the joints in it."""
+    """Return a hand's vertices, their weights, and the joints in it."""
     generic = load_generic()
     weight = generic.share({"l": "left_hand", "r": "right_hand"}[side])
     vertices = np.flatnonzero(weight > 0.001)
     return vertices, weight[vertices], np.flatnonzero(below(generic.joint_parents, generic.joint(f"{side}_wrist")))
 
 
-def sized_hands(mesh: BodyMesh, size: Array) -> BodyMesh:
+def scale_hands(mesh: BodyMesh, size: Array) -> BodyMesh:
     """Return the body with both hands, and the joints in them, scaled about their wrists.
 
     Parameters

@@ -1,4 +1,4 @@
-"""The family of dressed-footed bodies that photos are compared with, and its points as a photo sees them."""
+"""The linear model of dressed bodies that photos are fitted with, and the projection of its points."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.clothes import EASES, eased
-from cloner.body.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, shod
+from cloner.body.clothes import EASES, clothing_modes
+from cloner.body.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, with_footwear
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
 from cloner.geometry.articulation.poses import pose_matrix
 from cloner.geometry.articulation.posing import Chosen
@@ -23,8 +23,8 @@ WORN = FOOTWEAR + len(EASES)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Family:
-    """All bodies of one stature, in shoes or barefoot: mean, modes and skeleton.
+class BodyFamily:
+    """Bodies of one stature, in shoes or barefoot: mean, modes and skeleton.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class Family:
     pose: Array
 
     def points(self, vertices: Rows, joints: Rows | None = None, *, modes: int | None = None) -> Chosen:
-        """Return the linear model of some vertices, followed by some joints.
+        """Return the linear model of some vertices, then of some joints.
 
         Parameters
         ----------
@@ -72,12 +72,12 @@ class Family:
         )
 
 
-def family(generic: GenericHuman, stature_m: float, *, barefoot: bool, shapes: int) -> Family:
-    """Return the family of bodies of a stature."""
+def body_family(generic: GenericHuman, stature_m: float, *, barefoot: bool, shapes: int) -> BodyFamily:
+    """Return the body family of a stature."""
     wear = BAREFOOT if barefoot else SHOES
     scale = stature_m / GENERIC_STATURE_M
-    feet, soles = shod(generic, stature_m, wear)
-    cloth, eases = eased()
+    feet, soles = with_footwear(generic, stature_m, wear)
+    cloth, eases = clothing_modes()
     mean, worn = feet + cloth, np.concatenate([soles, eases])
     modes = np.empty((len(mean), 3, WORN + shapes))
     modes[..., :WORN] = np.moveaxis(worn, 0, 2)
@@ -85,12 +85,12 @@ def family(generic: GenericHuman, stature_m: float, *, barefoot: bool, shapes: i
     joint_modes = np.zeros((len(generic.joints_m), 3, WORN + shapes))
     joint_modes[..., WORN:] = scale * np.moveaxis(generic.joint_basis[:shapes], 0, 2)
     joints = scale * generic.joints_m.astype(np.float64)
-    return Family(generic, stature_m, wear, mean, modes, joints, joint_modes, pose_matrix(generic.joint_names))
+    return BodyFamily(generic, stature_m, wear, mean, modes, joints, joint_modes, pose_matrix(generic.joint_names))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Drawn:
-    """Points as one photo sees them, and how they move with shape (C), stand (6) and pose (D), in this order.
+class ProjectedPoints:
+    """Projected points with their derivatives by shape (C), camera (6) and pose (D), in this order.
 
     Attributes
     ----------
@@ -104,12 +104,12 @@ class Drawn:
     by_pixels: Array
 
 
-def draw(model: Chosen, shape: Array, stand: Array, pose: Array, like: Camera) -> Drawn:
-    """Return a model's points through a camera, with exact derivatives."""
+def project_points(model: Chosen, shape: Array, stand: Array, pose: Array, like: Camera) -> ProjectedPoints:
+    """Return a model's points projected by a camera, with exact derivatives."""
     moved = model.moved(shape, pose)
     still = np.zeros((len(moved.points_m), 3, len(STAND_NAMES)))
     by_points = np.concatenate([moved.by_shape, still, moved.by_pose], axis=2)
     pixels, by_place, by_stand = projected(stand, like, moved.points_m)
     by_pixels = by_place @ by_points
     by_pixels[:, :, len(shape) : len(shape) + len(STAND_NAMES)] = by_stand
-    return Drawn(moved.points_m, by_points, pixels, by_pixels)
+    return ProjectedPoints(moved.points_m, by_points, pixels, by_pixels)

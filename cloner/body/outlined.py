@@ -1,4 +1,4 @@
-"""What the skeleton, rough and fine stages share: a body against one photo's outline."""
+"""A posed body against one photo's outline: shared by the skeleton, rough and fine stages."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ GRID_SEGMENTS = (
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Outlined:
-    """One photo's pose, camera and outline."""
+class OutlinedPhoto:
+    """Pose, camera and outline of one photo."""
 
     posed: PosedView
     field: OutlineField
 
     @property
     def view(self) -> ViewId:
-        """The photo."""
+        """Name of the photo's view."""
         return self.posed.view
 
 
@@ -49,8 +49,8 @@ def outlined_photos(
     silhouettes: SilhouetteSet,
     proposals: Proposals,
     poses: Mapping[ViewId, PosedView] | None = None,
-) -> dict[ViewId, Outlined]:
-    """Return the body photos prepared for comparison with posed bodies, in the phenotype's poses or in better ones."""
+) -> dict[ViewId, OutlinedPhoto]:
+    """Return the body photos with outlines, in the phenotype's poses or in better ones."""
     photos = {}
     for view, posed in (poses or phenotype.views).items():
         reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
@@ -63,12 +63,12 @@ def outlined_photos(
             step_px=2.0 * reduction,
             reduction=reduction,
         )
-        photos[view] = Outlined(posed, field)
+        photos[view] = OutlinedPhoto(posed, field)
     return photos
 
 
-def masked_field(proposal: Proposal) -> OutlineField:
-    """Return the outline of a photo that has no linked one, a face photo's, from the net's mask."""
+def mask_outline_field(proposal: Proposal) -> OutlineField:
+    """Return the outline field of a face photo from the net's mask, as it has no linked outline."""
     height = proposal.mask.shape[0]
     reduction = max(height / PICTURE_HEIGHT, 1.0)
     person = proposal.mask > 127
@@ -82,8 +82,10 @@ def masked_field(proposal: Proposal) -> OutlineField:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Seen:
-    """A body posed as in a photo: geometry for slices, model-frame vertices, and its filled picture, reduced."""
+class PosedSilhouette:
+    """A body posed as in a photo: geometry for slices, vertices in the model frame, and its filled silhouette,
+    downscaled.
+    """
 
     body: PosedBody
     posed_m: Array
@@ -92,8 +94,8 @@ class Seen:
     picture: NDArray[np.bool_]
 
 
-def see(mesh: BodyMesh, photo: Outlined, among: NDArray[np.bool_] | None = None) -> Seen:
-    """Return the body posed and projected as the photo shows the person.
+def posed_silhouette(mesh: BodyMesh, photo: OutlinedPhoto, among: NDArray[np.bool_] | None = None) -> PosedSilhouette:
+    """Return the body posed and projected as in the photo.
 
     With ``among`` (V,) only these vertices are looked for on the rim, and the picture is filled around them only.
     """
@@ -114,11 +116,11 @@ def see(mesh: BodyMesh, photo: Outlined, among: NDArray[np.bool_] | None = None)
     size_m = depth / camera.focal_px if camera.pixels_per_m is None else np.full(len(depth), 1.0 / camera.pixels_per_m)
     lift = rest_lift(blended, camera.camera_from_model[:3, :3], size_m)
     body = PosedBody(pixels, camera.project(joints), on_rim, lift)
-    return Seen(body, posed_m, blended, mm_from_m(float(np.median(size_m))), picture > 0)
+    return PosedSilhouette(body, posed_m, blended, mm_from_m(float(np.median(size_m))), picture > 0)
 
 
-def slice_pairs(seen: Seen, photo: Outlined, name: str, levels: Array, reach_mm: float) -> SlicePairs:
-    """Return the occluding points of a grid segment's slices and their silhouette pixels in one photo."""
+def slice_pairs(seen: PosedSilhouette, photo: OutlinedPhoto, name: str, levels: Array, reach_mm: float) -> SlicePairs:
+    """Return the silhouette points of a segment's slices with their outline pixels in one photo."""
     generic = load_generic()
     first, second = generic.slice_axis_joints[generic.segment_names.index(name)]
     axis = (seen.body.joints_px[first], seen.body.joints_px[second])
@@ -134,14 +136,14 @@ def slice_pairs(seen: Seen, photo: Outlined, name: str, levels: Array, reach_mm:
     )
 
 
-def views_of(views: dict[ViewId, Outlined], main: ViewId) -> tuple[Outlined, ...]:
+def paper_body_views(views: dict[ViewId, OutlinedPhoto], main: ViewId) -> tuple[OutlinedPhoto, ...]:
     """Return the photos of one of the paper's two bodies: front or back, and side."""
     wanted = [view for view in (main, ViewId.BODY_SIDE) if view in views]
     return tuple(views[view] for view in wanted) or tuple(views.values())
 
 
-def gaps_mm(seen: Seen, photo: Outlined) -> dict[str, float]:
-    """Return the mean distance of the rim from the photo's outline, mm: of the whole body under "", and per part.
+def outline_distances_mm(seen: PosedSilhouette, photo: OutlinedPhoto) -> dict[str, float]:
+    """Return the mean distance from silhouette to outline, mm: of the whole body under "", and of each part.
 
     Method §7, residual in mm per part and per view. Left and right count together;
     what hair or loose clothing veils does not count.
@@ -156,12 +158,12 @@ def gaps_mm(seen: Seen, photo: Outlined) -> dict[str, float]:
     return {"": float(distance.mean()) if len(rim) else 0.0, **gaps}
 
 
-def gap_mm(mesh: BodyMesh, photo: Outlined) -> float:
-    """Return the mean distance of the body's rim from the photo's outline, mm."""
-    return gaps_mm(see(mesh, photo), photo)[""]
+def mean_outline_distance_mm(mesh: BodyMesh, photo: OutlinedPhoto) -> float:
+    """Return the mean distance from the body's silhouette to the photo's outline, mm."""
+    return outline_distances_mm(posed_silhouette(mesh, photo), photo)[""]
 
 
-def coverage(seen: Seen, photo: Outlined) -> float:
-    """Return the intersection over union of the body's and the photo's filled outlines."""
+def silhouette_iou(seen: PosedSilhouette, photo: OutlinedPhoto) -> float:
+    """Return the intersection over union of the body's silhouette and the photo's filled outline."""
     inside = photo.field.distance <= 0
     return float((seen.picture & inside).sum() / max((seen.picture | inside).sum(), 1))

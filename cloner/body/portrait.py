@@ -1,4 +1,4 @@
-"""A build from a portrait: what face and shoulders say about a body that no photo shows.
+"""Body shape from a portrait: what face and shoulders suggest where there is no body photo.
 
 The generic human's shape coefficients move faces and bodies together, as its own
 data does: a broad jaw goes with broad shoulders. So the coefficients that explain
@@ -76,8 +76,8 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     return np.clip(found, -params.max_sigmas, params.max_sigmas)
 
 
-def of_sex(generic: GenericHuman, coefficients: Array, sex: str) -> Array:
-    """Return the coefficients (C,) nearest to these whose phenotype is of a told sex, "f" or "m"; these for ""."""
+def nearest_of_sex(generic: GenericHuman, coefficients: Array, sex: str) -> Array:
+    """Return the nearest coefficients (C,) of a phenotype of the given sex, "f" or "m"; the same ones for ""."""
     if not sex:
         return coefficients
     row = generic.phenotype_names.index("sex")
@@ -87,7 +87,7 @@ def of_sex(generic: GenericHuman, coefficients: Array, sex: str) -> Array:
 
 
 def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, Array]:
-    """Return mean (N, 3), basis (C, N, 3), others' share (M, N, 2) and spread (N,) of face and shoulders, metres.
+    """Return mean (N, 3), basis (C, N, 3), common errors (M, N, 2) and sigmas (N,) of face and shoulders, metres.
 
     Others are the errors that the net's points make together, and what faces have of their own.
     """

@@ -1,4 +1,4 @@
-"""A body no slimmer than the tape measures that an operator took (called at the end of the fine stage).
+"""A body no slimmer than tape measures that an operator took (last step of the fine stage).
 
 Beyond the paper. Where the outline shows more than the tape it shows cloth, and
 stays. Where the mesh shows less, its slices grow: first their corners, which neither
@@ -30,8 +30,8 @@ ROUNDS: Final = 3
 FRONTAL: Final = np.array([0.0, 0.0, 1.0])
 
 
-def taped_body(body: BodyMesh, tape_mm: Mapping[str, float], *, side_seen: bool) -> BodyMesh:
-    """Return the body with every taped girth at least what the tape read; lengths are left as they are.
+def fit_tape_measures(body: BodyMesh, tape_mm: Mapping[str, float], *, side_seen: bool) -> BodyMesh:
+    """Return the body with every taped girth at least as long as the tape measure; lengths are unchanged.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def taped_body(body: BodyMesh, tape_mm: Mapping[str, float], *, side_seen: bool)
 
 
 def _loops(generic: GenericHuman, rules: TapeRules, body: BodyMesh, tape_mm: Mapping[str, float]) -> list[Loop]:
-    """Return the loops of the taped girths, both sides of limbs."""
+    """Return the loops of the taped girths, on both sides for limbs."""
     own = girth_planes(body.vertices_m, body.joints_m, rules) if tape_mm else {}
     planes = [(plane, float(tape_mm[key])) for key, both in own.items() if key in tape_mm for plane in both]
     loops = []

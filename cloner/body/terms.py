@@ -13,8 +13,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.evidence import Evidence, Params
-from cloner.body.model import Drawn, Family
+from cloner.body.evidence import Params, PhotoEvidence
+from cloner.body.model import BodyFamily, ProjectedPoints
 from cloner.detectors.body.body_points import ENDS
 from cloner.fit.evidence import Residuals, cauchy_weights, point_residuals
 from cloner.frames import ViewId, mm_from_m
@@ -27,22 +27,22 @@ from cloner.geometry.outlines.rims import rim_vertices, vertex_normals
 from cloner.records.arrays import Array
 
 
-def unknowns(view: ViewId) -> tuple[str, str, str]:
-    """Return the names of the unknowns that a photo's points depend on: shape, and its own stand and pose."""
+def block_names(view: ViewId) -> tuple[str, str, str]:
+    """Return the parameter blocks that a photo's points depend on: shape, and its own camera and pose."""
     return "shape", f"stand {view}", f"pose {view}"
 
 
-class Term(Protocol):
+class EvidenceTerm(Protocol):
     """A kind of evidence."""
 
     model: Chosen
 
-    def residuals(self, drawn: Drawn) -> Residuals:
-        """Return residuals in spreads and their derivatives."""
+    def residuals(self, drawn: ProjectedPoints) -> Residuals:
+        """Return the residuals and their Jacobian for projected points."""
 
 
 def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
-    """Return (2 N,) vertices spread over both soles, the left foot's first."""
+    """Return vertices (2 N,) spread over both soles, the left foot's first."""
     chosen = []
     for side in ("left", "right"):
         own = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
@@ -54,14 +54,14 @@ def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
 
 
 class PointTerm:
-    """Named points of one photo against joints and features of the model; corrected ones never fade.
+    """Named points of one photo against joints and features of the model; corrected points keep their weight.
 
     The pose net's points are expected where the net was calibrated to put them. A
     proposal farther away than ``fade`` spreads loses its weight: one wrong point
     cannot drag a limb.
     """
 
-    def __init__(self, body: Family, evidence: Evidence, params: Params, *, modes: int, fade: float) -> None:
+    def __init__(self, body: BodyFamily, evidence: PhotoEvidence, params: Params, *, modes: int, fade: float) -> None:
         generic, net = body.generic, evidence.net
         own = _own_points(generic, evidence, params)
         bases = [*(base for base, *_ in own), *net.bases]
@@ -75,19 +75,19 @@ class PointTerm:
         joints = [generic.joint(bases[k]) for k in order if is_joint[k]]
         model = body.points(np.array(features, dtype=np.int64), np.array(joints, dtype=np.int64), modes=modes)
         self.model = replace(model, mean_m=model.mean_m + offsets[order])
-        self.of, self.target_px = unknowns(evidence.view.view), targets[order]
+        self.of, self.target_px = block_names(evidence.view.view), targets[order]
         self.outlier = np.where(fixed[order].astype(bool), np.inf, fade)
         self.sigma_px = spreads[order] / evidence.mm_per_px
 
-    def residuals(self, drawn: Drawn) -> Residuals:
-        """Return residuals (2 N,) and derivatives."""
+    def residuals(self, drawn: ProjectedPoints) -> Residuals:
+        """Return the residuals (2 N,) and their Jacobian."""
         return point_residuals(
             self.of, drawn.pixels - self.target_px, drawn.by_pixels, self.sigma_px, outlier=self.outlier
         )
 
 
-def _own_points(generic: GenericHuman, evidence: Evidence, params: Params) -> list[tuple[str, Array, float, bool]]:
-    """Return base, pixel (1, 2), spread in mm and whether it is corrected, of the points that are no net's.
+def _own_points(generic: GenericHuman, evidence: PhotoEvidence, params: Params) -> list[tuple[str, Array, float, bool]]:
+    """Return base, pixel (1, 2), sigma in mm and whether it is corrected, of the points that are not the net's.
 
     Proposed points on the outline are left out: the outline itself says more (measured: no difference with or without).
     """
@@ -105,14 +105,14 @@ def _own_points(generic: GenericHuman, evidence: Evidence, params: Params) -> li
 
 
 class GroundTerm:
-    """Both feet stand flat on one level floor, hair lies above the skull as it was told, placed soles are obeyed."""
+    """Both feet on one level floor, hair at its expected height above the skull, placed soles kept."""
 
-    def __init__(self, body: Family, evidence: Evidence, params: Params, *, modes: int) -> None:
+    def __init__(self, body: BodyFamily, evidence: PhotoEvidence, params: Params, *, modes: int) -> None:
         self.model = body.points(np.append(sole_vertices(body.generic), body.generic.feature("head_top")), modes=modes)
         self.evidence, self.params = evidence, params
 
-    def residuals(self, drawn: Drawn) -> Residuals:
-        """Return residuals and derivatives: the floor (2 N), the top (1), corrected soles."""
+    def residuals(self, drawn: ProjectedPoints) -> Residuals:
+        """Return residuals and Jacobian: the floor (2 N), the top (1), corrected soles."""
         mm, params = self.evidence.mm_per_px, self.params
         scale = mm_from_m(1.0) / params.floor_mm
         height, by_height = drawn.points_m[:-1, 1], drawn.by_points[:-1, 1]
@@ -127,11 +127,11 @@ class GroundTerm:
             lowest = int(own[np.argmax(drawn.pixels[own, 1])])
             values.append(np.array([(drawn.pixels[lowest, 1] - row_px) * mm / params.corrected_mm]))
             jacobian.append(drawn.by_pixels[lowest : lowest + 1, 1] * mm / params.corrected_mm)
-        return Residuals(unknowns(self.evidence.view.view), np.concatenate(values), np.vstack(jacobian))
+        return Residuals(block_names(self.evidence.view.view), np.concatenate(values), np.vstack(jacobian))
 
 
 def outline_trust(generic: GenericHuman) -> Array:
-    """Return (V,) trust in each vertex's outline: none under hair, little at the fingers and on shoes."""
+    """Return the weight (V,) of each vertex on the outline: none under hair, little at fingers and shoes."""
     trust = np.ones(len(generic.vertices_m))
     for name, value in (("hand", 0.3), ("foot", 0.5)):
         for side in ("left", "right"):
@@ -141,12 +141,12 @@ def outline_trust(generic: GenericHuman) -> Array:
 
 
 class OutlineTerm:
-    """The outline of one photo against the rim of the model; samples are matched anew at every linearisation."""
+    """The outline of one photo against the model's silhouette; samples are matched anew at every linearisation."""
 
     def __init__(
         self,
-        body: Family,
-        evidence: Evidence,
+        body: BodyFamily,
+        evidence: PhotoEvidence,
         params: Params,
         *,
         shape: Array,
@@ -164,7 +164,7 @@ class OutlineTerm:
         rim, _ = rim_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
         normals = vertex_normals(posed, triangles)[rim] @ camera.camera_from_model[:3, :3].T
         self.normals = unit(normals[:, :2])
-        self.model, self.field, self.of = skin.part(rim), field, unknowns(evidence.view.view)
+        self.model, self.field, self.of = skin.part(rim), field, block_names(evidence.view.view)
         self.trust = outline_trust(body.generic)[rim]
         mm, sigma = evidence.mm_per_px, params.outline_mm
         self.reach_px = reach_mm / mm
@@ -175,12 +175,12 @@ class OutlineTerm:
         self.soft = reach_mm / 2.0 / sigma
 
     def gap_mm(self, rim_px: Array, mm_per_px: float) -> float:
-        """Return the rim's mean distance from the outline where nothing veils it, mm."""
+        """Return the mean distance from the silhouette to the outline where nothing covers it, mm."""
         shown = ~self._one_sided(rim_px)
         return float(np.abs(self.field.signed_distance(rim_px)[shown]).mean()) * mm_per_px
 
-    def residuals(self, drawn: Drawn) -> Residuals:
-        """Return residuals, photo to model, then model to photo, and derivatives."""
+    def residuals(self, drawn: ProjectedPoints) -> Residuals:
+        """Return the residuals, photo to model, then model to photo, and their Jacobian."""
         pick, keep = self._matched(drawn.pixels)
         normal = self.field.normals[keep] * (self.weight * self.trust[pick])[:, None]
         towards = np.einsum("ka,ka->k", drawn.pixels[pick] - self.field.samples_px[keep], normal)
@@ -194,17 +194,17 @@ class OutlineTerm:
         return Residuals(self.of, value, np.vstack([by_towards, by_beyond]), cauchy_weights(value**2, self.soft) ** 2)
 
     def _matched(self, pixels: Array) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-        """Return the rim's points that samples of the outline are matched with, and which samples count."""
+        """Return the silhouette points matched to outline samples, and which samples count."""
         nearest, distance = self.field.nearest_rim(pixels, self.normals, self.reach_px)
         keep = (distance < self.reach_px) & (self.trust[nearest] > 0) & ~self.field.veiled
         return nearest[keep], keep
 
     def _one_sided(self, pixels: Array) -> NDArray[np.bool_]:
-        """Return which points of the rim may lie inside the outline: hair or cloth makes it there."""
+        """Return which silhouette points may lie inside the outline, because hair or cloth makes it there."""
         return np.asarray((self.trust == 0) | self.field.is_veiled(pixels))
 
     def _slope(self, pixels: Array) -> Array:
-        """Return (N, 2) gradients of the signed distance."""
+        """Return gradients (N, 2) of the signed distance."""
         step = self.field.reduction
         shifts = step * np.eye(2)
         return np.stack(

@@ -1,1 +1,1 @@
-"""The head: evidence of the face photos, and the fit of one head to all of it."""
+"""The head: observations in the face photos and body photos, and the fit of one head to all of them."""

@@ -1,4 +1,4 @@
-"""Ears as parts of the head's shape, and what photos say of them and of features inside the side photo's outline.
+"""Ears as modes of the head's shape, and observed points of the ears and inside the side photo's outline.
 
 Ears move, grow and tip as a whole, nearly alike on both sides.
 
@@ -34,16 +34,16 @@ IOD_M: Final = _CALIBRATED.number("iod_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Spots:
-    """Single points of one photo: vertices (N,), places (N, 2) px, expected errors (N,) metres."""
+class PointObservations:
+    """Points observed in one photo: vertices (N,), pixels (N, 2), standard deviations (N,) in metres."""
 
     vertices: NDArray[np.int64]
     points_px: Array
     sigma_m: Array
 
 
-def ear_fields(generic: GenericHuman) -> Array:
-    """Return (10, H, 3) what ears do to the head, metres a standard deviation: five moves alike, five apart."""
+def ear_modes(generic: GenericHuman) -> Array:
+    """Return the ears' modes (10, H, 3), metres per standard deviation: five symmetric ones, five antisymmetric."""
     head = generic.vertices_m[generic.head_vertices].astype(np.float64)
     out = np.zeros((2, len(ALIKE), len(head), 3))
     for name, sign in (("ear_left", 1.0), ("ear_right", -1.0)):
@@ -59,24 +59,24 @@ def ear_fields(generic: GenericHuman) -> Array:
     return out.reshape(-1, len(head), 3)
 
 
-def read_ears(generic: GenericHuman, points: ViewPoints | None, corrected_m: float) -> Spots:
-    """Return what a photo's named points say of the ears; an operator's points are believed to ``corrected_m``."""
-    return _read(generic, points, ("ear",), TOGETHER, corrected_m)
+def ear_observations(generic: GenericHuman, points: ViewPoints | None, corrected_m: float) -> PointObservations:
+    """Return the ear points of a photo; points that an operator placed get the sigma ``corrected_m``."""
+    return _observations(generic, points, ("ear",), TOGETHER, corrected_m)
 
 
-def read_inside(generic: GenericHuman, points: ViewPoints, corrected_m: float) -> Spots:
-    """Return what a side photo's named points say of ``INSIDE``."""
-    return _read(generic, points, INSIDE, INSIDE_ERROR, corrected_m)
+def inner_observations(generic: GenericHuman, points: ViewPoints, corrected_m: float) -> PointObservations:
+    """Return the points of a side photo that lie inside its outline (``INSIDE``)."""
+    return _observations(generic, points, INSIDE, INSIDE_ERROR, corrected_m)
 
 
-def _read(
+def _observations(
     generic: GenericHuman, points: ViewPoints | None, wanted: tuple[str, ...], together: float, corrected_m: float
-) -> Spots:
+) -> PointObservations:
     names = () if points is None else points.names
     rows = [k for k, name in enumerate(names) if name.startswith(wanted) and name in generic.feature_names]
     if points is None or not rows:
-        return Spots(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
+        return PointObservations(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
     error = together * IOD_M * expected_face_error(points.confidence[rows])
     vertices = np.array([generic.feature(names[k]) for k in rows], dtype=np.int64)
     sigma = np.where(points.corrected[rows], corrected_m, np.maximum(error, corrected_m))
-    return Spots(vertices, np.array(points.points_px[rows]), sigma)
+    return PointObservations(vertices, np.array(points.points_px[rows]), sigma)

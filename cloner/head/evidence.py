@@ -1,4 +1,4 @@
-"""What the head fit knows: the phenotype's generic head, and the evidence of the face photos."""
+"""Observations of the face photos for the head fit."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from cloner.detectors.face.profile import front_contour, outline
 from cloner.detectors.taught import taught_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.geometry.outlines.contour_match import contour_normals
-from cloner.head.ears import Spots, read_ears, read_inside
-from cloner.head.flank import Flank
-from cloner.head.inside import Together, read_inside_front
-from cloner.head.model import Model
-from cloner.head.outline import Outline, read_outline
+from cloner.head.ears import PointObservations, ear_observations, inner_observations
+from cloner.head.model import HeadModel
+from cloner.head.nose import CorrelatedPoints, nose_observations
+from cloner.head.outline import Outline, mask_outline
+from cloner.head.skin_matches import SkinMatches
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
 from cloner.records.photos import Photo, PhotoSet
@@ -37,7 +37,7 @@ HIDING = (Label.BEARD, Label.HAIR)
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """Expected errors and sizes.
+    """Standard deviations and sizes.
 
     Its numbers: ``cloner/calibration/head.toml``, ``[evidence.*]``.
 
@@ -74,9 +74,9 @@ class Params:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Front:
-    """The front photo's evidence: net points taught by corrections, corrected named points, ears, the outline, and
-    what is found inside it. ``hidden`` (468,) tells which net points lie on a beard or on hair.
+class FrontEvidence:
+    """Observations of the front photo: points of the face net, points that an operator corrected, ears, outline and
+    nose. ``hidden`` (468,) marks net points on a beard or on hair.
     """
 
     view: ViewId
@@ -84,14 +84,15 @@ class Front:
     hidden: NDArray[np.bool_]
     vertices: NDArray[np.int64]
     points_px: Array
-    ears: Spots
+    ears: PointObservations
     outline: Outline | None = None
-    inside: tuple[Together, ...] = ()
+    inside: tuple[CorrelatedPoints, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Side:
-    """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right.
+class SideEvidence:
+    """Observations of the side photo: named points with their sigmas (m), the contour with its normals; +1 looks to
+    image right.
 
     ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them,
     ``outline`` the whole person's. Of the named points those inside the outline find the first camera; in the fit
@@ -105,24 +106,24 @@ class Side:
     sigma_m: Array
     contour_px: Array
     normals_px: Array
-    ears: Spots
-    inside: Spots
-    flank: Flank | None = None
+    ears: PointObservations
+    inside: PointObservations
+    flank: SkinMatches | None = None
     outline: Outline | None = None
 
 
 @dataclass(slots=True)
-class Log:
-    """Residuals and warnings gathered on the way."""
+class FitLog:
+    """Residuals and warnings, collected during the fit."""
 
     residuals: list[Residual] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
 
 
-def read_front(
-    model: Model, photos: PhotoSet, proposals: Proposals, points: FacePoints, params: Params
-) -> Front | None:
-    """Return the evidence of the best front photo: the face photo, else the face in the body photo."""
+def front_evidence(
+    model: HeadModel, photos: PhotoSet, proposals: Proposals, points: FacePoints, params: Params
+) -> FrontEvidence | None:
+    """Return the observations of the best front photo: the face photo, else the face in the body photo."""
     for view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
         proposal = proposals.views.get(view)
         if proposal is None or proposal.face_presence < params.presence:
@@ -130,38 +131,38 @@ def read_front(
         named = points.views.get(view)
         net_px, vertices, fixed = np.array(proposal.face_px), np.zeros(0, dtype=np.int64), np.zeros((0, 2))
         if named is not None and named.corrected.any():
-            vertices, fixed = _corrected(model, named)
+            vertices, fixed = _corrected_points(model, named)
             net_px = net_px + params.taught * (taught_net(net_px, named) - net_px)
-        edge = read_outline(proposal) if view is ViewId.FACE_FRONT else None
-        inside: tuple[Together, ...] = ()
+        edge = mask_outline(proposal) if view is ViewId.FACE_FRONT else None
+        inside: tuple[CorrelatedPoints, ...] = ()
         if view is ViewId.FACE_FRONT and named is not None:
-            inside = read_inside_front(photos.photos[view], proposal, named)
+            inside = nose_observations(photos.photos[view], proposal, named)
         hidden = np.isin(_labels_at(proposal.labels, net_px), HIDING)
-        ears = read_ears(model.generic, named, params.corrected_m)
-        return Front(view, net_px, hidden, vertices, fixed, ears, edge, inside)
+        ears = ear_observations(model.generic, named, params.corrected_m)
+        return FrontEvidence(view, net_px, hidden, vertices, fixed, ears, edge, inside)
     return None
 
 
 def _labels_at(labels: NDArray[np.uint8], places_px: Array) -> NDArray[np.uint8]:
-    """Return the (N,) labels of pixels, of the nearest one where a place lies off the picture."""
+    """Return the labels (N,) of pixels, that of the nearest pixel for points outside the photo."""
     return labels_at(labels, np.clip(places_px, 0.0, np.array(labels.shape[::-1]) - 1.0))
 
 
-def _corrected(model: Model, named: ViewPoints) -> tuple[NDArray[np.int64], Array]:
-    """Return vertices and pixels of the operator's points that the generic head knows."""
+def _corrected_points(model: HeadModel, named: ViewPoints) -> tuple[NDArray[np.int64], Array]:
+    """Return vertices and pixels of an operator's points that the generic head has."""
     known = [k for k, n in enumerate(named.names) if named.corrected[k] and n in model.generic.feature_names]
     vertices = np.array([model.generic.feature(named.names[k]) for k in known], dtype=np.int64)
     return vertices, np.array(named.points_px[known]).reshape(-1, 2)
 
 
-def read_side(
-    model: Model, proposals: Proposals, silhouettes: SilhouetteSet, points: FacePoints, params: Params
-) -> Side | None:
-    """Return the side photo's evidence, or None without a usable profile."""
+def side_evidence(
+    model: HeadModel, proposals: Proposals, silhouettes: SilhouetteSet, points: FacePoints, params: Params
+) -> SideEvidence | None:
+    """Return the observations of the side photo, None without a usable profile."""
     named = points.views.get(ViewId.FACE_SIDE)
     if named is None or "nose_tip" not in named.names:
         return None
-    named = _beardless(named, proposals.views[ViewId.FACE_SIDE].labels)
+    named = _without_beard_points(named, proposals.views[ViewId.FACE_SIDE].labels)
     known = [k for k, n in enumerate(named.names) if n in model.generic.feature_names and named.confidence[k] > 0.05]
     if len(known) < 4:
         return None
@@ -182,17 +183,17 @@ def read_side(
     low = tip[1] + 0.95 * np.ptp(named.points_px[known, 1])
     normals = contour_normals(contour)
     front = front_contour(np.hstack([contour, normals]), facing, low)
-    front = _of_the_face(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
-    return Side(
+    front = _face_skin_outline(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
+    return SideEvidence(
         facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
-        front[:, :2], front[:, 2:], read_ears(model.generic, named, params.corrected_m),
-        read_inside(model.generic, named, params.corrected_m),
-        outline=read_outline(proposals.views[ViewId.FACE_SIDE]),
+        front[:, :2], front[:, 2:], ear_observations(model.generic, named, params.corrected_m),
+        inner_observations(model.generic, named, params.corrected_m),
+        outline=mask_outline(proposals.views[ViewId.FACE_SIDE]),
     )  # fmt: skip
 
 
-def _beardless(named: ViewPoints, labels: NDArray[np.uint8]) -> ViewPoints:
-    """Return a profile's points without those that lie on a beard, whose outline is no mouth's nor chin's."""
+def _without_beard_points(named: ViewPoints, labels: NDArray[np.uint8]) -> ViewPoints:
+    """Return a profile's points without those on a beard, which hides mouth and chin."""
     bearded = (_labels_at(labels, named.points_px) == Label.BEARD) & ~named.corrected
     kept = [k for k, name in enumerate(named.names) if not bearded[k] or name == "nose_tip"]
     return replace(
@@ -204,8 +205,8 @@ def _beardless(named: ViewPoints, labels: NDArray[np.uint8]) -> ViewPoints:
     )
 
 
-def _of_the_face(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:
-    """Return the outline (N, 4) of the face's own skin: no beard's, no cap's, nor what hair over it hides."""
+def _face_skin_outline(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:
+    """Return the part of the outline (N, 4) that face skin makes: no beard, no cap, no hair over the face."""
     if not labels.any():
         return front
     inward = SKIN_DEPTH * np.ptp(front[:, 1])
@@ -215,8 +216,8 @@ def _of_the_face(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Arr
     return np.asarray(front[np.isin(inside, OWN_OUTLINE) & (row > lowest + inward)])
 
 
-def focal_px(photo: Photo, params: Params, log: Log) -> float:
-    """Return the photo's focal length in px, from EXIF or the stated default."""
+def focal_px(photo: Photo, params: Params, log: FitLog) -> float:
+    """Return the photo's focal length, px, from EXIF or the documented default."""
     known = photo.focal_35mm is not None and photo.focal_35mm > 0
     if not known:
         log.warnings.append(f"{photo.view}: no focal length in the photo; {params.focal_35mm:.0f} mm is assumed")

@@ -1,4 +1,4 @@
-"""How far a face photo shows the jaw open: one turn of the jaw's joint a photo, unknowns of the fit beside the shape.
+"""Opening of the jaw in each face photo: one rotation of the jaw joint a photo, an unknown of the fit beside the shape.
 
 People are photographed with parted lips, and the net draws them so. A fit without this unknown makes longer chins of
 open mouths, and paints teeth on lips.
@@ -27,13 +27,13 @@ USUAL_RAD: Final = float(np.radians(_CALIBRATED.number("usual_rad", "deg")))
 RARITY: Final = USUAL_RAD / float(np.radians(_CALIBRATED.number("mean_rad", "deg")))
 
 
-def jaw_way(generic: GenericHuman, vertices_m: Array, joints_m: Array) -> Array:
-    """Return what the usual opening does to vertices (V, 3), metres: the fit is linear in it."""
-    return opened(generic, vertices_m, joints_m, USUAL_RAD) - vertices_m
+def jaw_opening_mode(generic: GenericHuman, vertices_m: Array, joints_m: Array) -> Array:
+    """Return the displacements of vertices (V, 3) for a usual opening, metres: the fit is linear in it."""
+    return with_open_jaw(generic, vertices_m, joints_m, USUAL_RAD) - vertices_m
 
 
-def opened(generic: GenericHuman, vertices_m: Array, joints_m: Array, open_rad: float) -> Array:
-    """Return the vertices (V, 3) of a person at rest with the jaw turned open about its joint.
+def with_open_jaw(generic: GenericHuman, vertices_m: Array, joints_m: Array, open_rad: float) -> Array:
+    """Return the vertices (V, 3) of a person at rest after a rotation of the jaw joint.
 
     Parameters
     ----------
@@ -46,20 +46,20 @@ def opened(generic: GenericHuman, vertices_m: Array, joints_m: Array, open_rad: 
     return np.asarray(vertices_m + generic.carried_by(JOINT)[:, None] * moved)
 
 
-def jaw_in(generic: GenericHuman, rotations: Array) -> float:
-    """Return how far the jaw is open, radians, in a pose (J, 3)."""
+def jaw_opening_rad(generic: GenericHuman, rotations: Array) -> float:
+    """Return the jaw's opening in a pose (J, 3), radians."""
     return float(rotations[generic.joint(JOINT), 0])
 
 
-def closed_jaw(generic: GenericHuman, rotations: Array) -> Array:
-    """Return a pose (J, 3) with the mouth shut, as clones rest."""
+def with_closed_jaw(generic: GenericHuman, rotations: Array) -> Array:
+    """Return a pose (J, 3) with the jaw closed, as clones rest."""
     out = rotations.copy()
     out[generic.joint(JOINT)] = 0.0
     return out
 
 
 def jaw_rotations(generic: GenericHuman, open_rad: float) -> Array:
-    """Return the rotation vectors (J, 3), radians in model axes, of a person who only opens the jaw."""
+    """Return the rotation vectors (J, 3) of a pose that only opens the jaw, radians in model axes."""
     out = np.zeros((len(generic.joint_names), 3))
     out[generic.joint(JOINT), 0] = open_rad
     return out

@@ -1,4 +1,4 @@
-"""Lids of one eye: laid on an eyeball of real size, and turned about it so that a blink closes them by construction.
+"""Eyelids: margins on an eyeball of anatomical size, rotated about it for blinks and gaze.
 
 Photos show where the lids' edges are, seen from the front; how deep they lie follows from the ball. All functions take
 and give the grid's points (K, N, 3), metres, rings by columns as :class:`cloner.generic.face_grids.Grid` has them.
@@ -37,14 +37,14 @@ CLEAR_M = _CALIBRATED.number("clear_m", "m")
 REACH = _CALIBRATED.pair("reach", "share")
 
 
-def reach_of(grid: Grid, points: Array, ball: Ball) -> Array:
-    """Return (N,) how surely a column's margin lies on the ball: 1 in the middle, 0 at the corners."""
+def margin_contact(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return the weight (N,) with which each column's margin touches the eyeball: 1 in the middle, 0 at the corners."""
     away = points[grid.margin] - ball.centre
     return np.asarray(1.0 - smoothstep(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
 
 
-def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
-    """Return the depth (z, metres) of the ball on which the lids' margins lie best, seen where they are from the front.
+def eyeball_depth(grid: Grid, points: Array, centre_xy: Array) -> float:
+    """Return the depth (z, metres) of the eyeball that fits the lid margins best, their frontal positions kept.
 
     Parameters
     ----------
@@ -60,9 +60,9 @@ def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
     return float((weight * depth).sum() / max(float(weight.sum()), 1e-9))
 
 
-def laid_on(grid: Grid, points: Array, ball: Ball) -> Array:
-    """Return the lids at rest with their margins on the ball, each where it was seen from the front."""
-    reach = reach_of(grid, points, ball)
+def lids_on_eyeball(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return the lids at rest with their margins on the eyeball, frontal positions kept."""
+    reach = margin_contact(grid, points, ball)
     away = points[grid.margin] - ball.centre
     across = np.hypot(away[:, 0], away[:, 1])
     over = BALL_M * (1.0 + cornea(np.arcsin(np.clip(across / BALL_M, 0.0, 1.0)))) + OVER_M[0]
@@ -70,52 +70,52 @@ def laid_on(grid: Grid, points: Array, ball: Ball) -> Array:
     out = points.copy()
     outer = out[grid.margin :]  # a view
     outer[:, :, 2] += DEPTH_SHARE[: len(outer), None] * step
-    outer[:] = _at_distance(outer, ball, BALL_M + OVER_M[: len(outer), None], np.inf)
+    outer[:] = _at_radius(outer, ball, BALL_M + OVER_M[: len(outer), None], np.inf)
     inner = out[: grid.margin]
     under = BALL_M - UNDER_M[:, None]
     # The ring behind the margin dives under the ball where the margin lies on it; at the corners it and the next one
     # bridge to the ball, which the last one reaches.
     share = np.stack([np.ones_like(reach), reach, reach])[..., None]
     nearest = np.array([0.0, 0.0, under[2, 0]])[:, None]
-    inner += share * (_at_distance(inner, ball, nearest, under) - inner)
+    inner += share * (_at_radius(inner, ball, nearest, under) - inner)
     return out
 
 
-def _at_distance(points: Array, ball: Ball, least: Array, most: Array | float) -> Array:
-    """Return points moved straight to or from the ball's centre until their distance lies between two."""
+def _at_radius(points: Array, ball: Ball, least: Array, most: Array | float) -> Array:
+    """Return points moved radially until their distance from the eyeball's centre lies between two."""
     spokes = points - ball.centre
     distance = np.linalg.norm(spokes, axis=-1)
     return np.asarray(ball.centre + spokes * (np.clip(distance, least, most) / np.maximum(distance, 1e-9))[..., None])
 
 
-def _along(grid: Grid, lid: NDArray[np.bool_], aside: Array, values: Array) -> Array:
-    """Return the (N,) values of one lid's margin, from corner to corner, as far aside as every column."""
+def _margin_values(grid: Grid, lid: NDArray[np.bool_], aside: Array, values: Array) -> Array:
+    """Return the values (N,) of one lid's margin from corner to corner, interpolated at every column."""
     own = lid.copy()
     own[grid.corners] = True
     columns = np.flatnonzero(own)[np.argsort(aside[own])]
     return np.asarray(np.interp(aside, aside[columns], values[columns]))
 
 
-def closing_turn(grid: Grid, points: Array, ball: Ball) -> Array:
-    """Return (N,) by how much the margins turn until they meet, radians, positive upwards; corners stay."""
+def closing_angles(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return the rotations (N,) of the margins until they meet, radians, positive upwards; corners stay."""
     aside, elevation, _ = ball.unrolled(points[grid.margin])
-    upper, lower = (_along(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
+    upper, lower = (_margin_values(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
     meeting = upper + MEETING * (lower - upper)
     meeting[grid.corners] = elevation[grid.corners]
     # the lower lid's columns lie on the line that the upper lid's draw when they have come down
-    return np.asarray(np.where(grid.upper, meeting, _along(grid, grid.upper, aside, meeting)) - elevation)
+    return np.asarray(np.where(grid.upper, meeting, _margin_values(grid, grid.upper, aside, meeting)) - elevation)
 
 
-def blinked(grid: Grid, points: Array, ball: Ball) -> Array:
-    """Return the lids shut: both margins on one line, the skin outside them smooth."""
-    out = turned(grid, points, ball, closing_turn(grid, points, ball))
+def closed_lids(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return closed lids: both margins on one line, the skin around them smooth."""
+    out = rotate_margins(grid, points, ball, closing_angles(grid, points, ball))
     aside, elevation, distance = ball.unrolled(out[grid.margin :])
     line = np.stack([elevation[0], distance[0]])
     for _ in range(LINE_TURNS):
         # columns of the two lids lie beside each other: each line bends to the other's until one covers the other
-        lower = np.stack([_along(grid, grid.upper, aside[0], values) for values in line])
+        lower = np.stack([_margin_values(grid, grid.upper, aside[0], values) for values in line])
         line = np.where(grid.lower, lower, line)
-        upper = np.stack([_along(grid, grid.lower, aside[0], values) for values in line])
+        upper = np.stack([_margin_values(grid, grid.lower, aside[0], values) for values in line])
         line = np.where(grid.upper, (line + upper) / 2.0, line)
     share = SHARE[: len(distance), None]
     elevation += share * (line[0] - elevation[0])
@@ -124,13 +124,13 @@ def blinked(grid: Grid, points: Array, ball: Ball) -> Array:
     return np.asarray(out)
 
 
-def turned(grid: Grid, points: Array, ball: Ball, turn: Array) -> Array:
-    """Return the grid with its margins turned about the ball, on straight ways that never cross it.
+def rotate_margins(grid: Grid, points: Array, ball: Ball, turn: Array) -> Array:
+    """Return the grid with its margins rotated about the eyeball, without touching it on the way.
 
     Parameters
     ----------
     points : (K, N, 3)
-        At rest, as `laid_on` gives them.
+        At rest, as `lids_on_eyeball` gives them.
     turn : (N,)
         Radians, positive upwards.
     """
@@ -146,40 +146,40 @@ def turned(grid: Grid, points: Array, ball: Ball, turn: Array) -> Array:
     needed = clear / np.cos(np.clip(beyond, 0.0, STEEPEST_RAD)) + over - OVER_M[0]
     # Skin that unrolls from the fold comes to lie on the ball: the more of the margin's motion it takes, the closer.
     draped = np.sqrt(np.maximum((on_cornea + over) ** 2 - aside**2, 1e-10))
-    close = share * np.clip(np.abs(turn) / DRAPED_RAD, 0.0, 1.0) * reach_of(grid, points, ball)
+    close = share * np.clip(np.abs(turn) / DRAPED_RAD, 0.0, 1.0) * margin_contact(grid, points, ball)
     close[outwards < 0] = 0.0
     away = close * np.maximum(needed, draped) + (1.0 - close) * at_rest
     out = ball.rolled(aside, elevation + share * turn, np.hypot(away, aside))
     return np.asarray(np.where((np.abs(share * turn) > 1e-9)[..., None], out, points))
 
 
-def kept_on(grid: Grid, points: Array, moved: Array, ball: Ball) -> Array:
-    """Return moved lids, wherever a face drew them, with margins on the ball as at rest, nothing in it, none crossed.
+def keep_on_eyeball(grid: Grid, points: Array, moved: Array, ball: Ball) -> Array:
+    """Return displaced lids with their margins on the eyeball as at rest, none inside it and none crossed.
 
     Parameters
     ----------
     points, moved : (K, N, 3)
-        At rest, as `laid_on` gives them, and after the motion.
+        At rest, as `lids_on_eyeball` gives them, and after the motion.
     """
     out = moved.copy()
     at_rest = ball.unrolled(points[grid.margin])[2]
     aside, elevation, distance = ball.unrolled(moved[grid.margin])
-    reach = reach_of(grid, points, ball)
-    upper, lower = (_along(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
+    reach = margin_contact(grid, points, ball)
+    upper, lower = (_margin_values(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
     crossed = np.minimum(upper - lower, 0.0) / 2.0
     step = np.where(grid.upper, -crossed, np.where(grid.lower, crossed, 0.0))
     wanted = ball.rolled(aside, elevation + step, distance + reach * (at_rest - distance))
     outer = out[grid.margin :]  # a view
     outer += SHARE[: len(outer), None, None] * (wanted - moved[grid.margin])
-    outer[:] = _at_distance(outer, ball, BALL_M + OVER_M[: len(outer), None], np.inf)
+    outer[:] = _at_radius(outer, ball, BALL_M + OVER_M[: len(outer), None], np.inf)
     out[: grid.margin] += wanted - moved[grid.margin]
     return np.asarray(out)
 
 
-def followed(grid: Grid, points: Array, ball: Ball, up_rad: float) -> Array:
-    """Return the lids as they follow a gaze turned up, radians: the upper one most of the way, the lower a little."""
-    closing = closing_turn(grid, points, ball)
+def lids_following_gaze(grid: Grid, points: Array, ball: Ball, up_rad: float) -> Array:
+    """Return the lids for a gaze turned up, radians: the upper lid follows most of the way, the lower one a little."""
+    closing = closing_angles(grid, points, ball)
     profile = np.abs(closing) / np.maximum(np.where(grid.upper, np.abs(closing[grid.upper]).max(),
                                                     np.abs(closing[grid.lower]).max()), 1e-9)  # fmt: skip
     way = np.where(grid.upper, FOLLOWS[0], FOLLOWS[1]) * up_rad * profile
-    return turned(grid, points, ball, np.where(grid.upper, np.maximum(way, FARTHEST * closing), way))
+    return rotate_margins(grid, points, ball, np.where(grid.upper, np.maximum(way, FARTHEST * closing), way))

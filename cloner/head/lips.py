@@ -1,4 +1,4 @@
-"""Lips that meet: the step that closes them, and the one that uncrosses them.
+"""Lips in contact: steps that close them and that remove crossings.
 
 All functions take and give the grid's points (K, N, 3), metres, rings by columns as
 :class:`cloner.generic.face_grids.Grid` has them.
@@ -31,18 +31,18 @@ BLUNT = _CALIBRATED.number("blunt", "factor")
 ROUND = _CALIBRATED.table("round", "share")
 
 
-def closed(grid: Grid, points: Array) -> Array:
-    """Return the lips moved upright, half of the way each, until they touch wherever they stand apart."""
-    return _moved(grid, points, 0.0, np.inf)
+def close_lips(grid: Grid, points: Array) -> Array:
+    """Return the lips moved vertically, each half of the way, until they touch wherever there is a gap."""
+    return _closed_within(grid, points, 0.0, np.inf)
 
 
-def uncrossed(grid: Grid, points: Array) -> Array:
-    """Return the lips moved upright, half of the way each, until they nowhere cross by more than a press."""
-    return _moved(grid, points, -np.inf, 0.0)
+def uncross_lips(grid: Grid, points: Array) -> Array:
+    """Return the lips moved vertically, each half of the way, until they cross nowhere by more than a light contact."""
+    return _closed_within(grid, points, -np.inf, 0.0)
 
 
-def sealed(grid: Grid, points: Array) -> Array:
-    """Return closed lips whose inner edges are one line, so that no slit is seen from above or below."""
+def seal_lips(grid: Grid, points: Array) -> Array:
+    """Return closed lips whose inner edges coincide, so that no slit is visible from above or below."""
     out, edge = points.copy(), points[grid.margin - 1]
     lines = []
     for lip in (grid.upper, grid.lower):
@@ -56,8 +56,8 @@ def sealed(grid: Grid, points: Array) -> Array:
     return out
 
 
-def rounded(grid: Grid, rest: Array, moved: Array, width: float = 1.0) -> Array:
-    """Return lips that hang in ovals where a face draws them open in a V: as low in the middle, and fuller beside it.
+def round_lips(grid: Grid, rest: Array, moved: Array, width: float = 1.0) -> Array:
+    """Return open lips in an oval in place of a V: as low in the middle, and fuller beside it.
 
     Parameters
     ----------
@@ -87,8 +87,8 @@ def rounded(grid: Grid, rest: Array, moved: Array, width: float = 1.0) -> Array:
     return np.asarray(out)
 
 
-def before_teeth(grid: Grid, points: Array, teeth: Array) -> Array:
-    """Return the lips no farther back than the teeth (T, 3) that stand behind them at their height, edges included."""
+def keep_before_teeth(grid: Grid, points: Array, teeth: Array) -> Array:
+    """Return the lips in front of the teeth (T, 3) at their height, edges included."""
     out = points.copy()
     lip = out[grid.margin - 1 :].reshape(-1, 3)
     beside = np.abs(lip[:, None, 0] - teeth[None, :, 0]) < TOOTH_M
@@ -99,8 +99,8 @@ def before_teeth(grid: Grid, points: Array, teeth: Array) -> Array:
     return out
 
 
-def _moved(grid: Grid, points: Array, least: float, most: float) -> Array:
-    """Return the lips after steps towards a light touch, as far as the steps lie between two (closing is positive)."""
+def _closed_within(grid: Grid, points: Array, least: float, most: float) -> Array:
+    """Return the lips moved towards a light contact, with steps between two limits (closing is positive)."""
     out = points.copy()
     for _ in range(TURNS):
         step = 0.5 * np.clip(lips_apart(grid, out) + PRESS_M, least, most)

@@ -1,4 +1,4 @@
-"""Shapes that heads may have, and what they do to the face net's points.
+"""Shape model of heads and error model of the face net.
 
 The generic's face targets are one artist's family; the way from its mean face to the canonical face of the face net,
 which is nearer to scanned people, and smooth random bends of the DFFD control points widen it. Half of what is expected
@@ -21,7 +21,7 @@ from cloner.detectors.face.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.alignment import similarity
-from cloner.head.ears import ear_fields
+from cloner.head.ears import ear_modes
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -41,7 +41,7 @@ TOWARDS_SPREAD = _CALIBRATED.number("towards_spread", "factor")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeadModes:
-    """How heads differ from the generic's mean head, at 1.70 m stature.
+    """Shape modes of heads at 1.70 m stature, and errors of the face net that depend on them.
 
     Attributes
     ----------
@@ -69,19 +69,19 @@ class HeadModes:
     alone_m: Array
 
     def errors_m(self, coefficients: Array, camera: Camera) -> Array:
-        """Return the errors (468, 2), metres, that the net makes of a face on the average, as the camera sees it."""
+        """Return the expected errors (468, 2) of the net's points for a shape and a camera, metres."""
         return self.seen_errors_m(camera) + np.tensordot(coefficients, self.skew_m[: len(coefficients)], axes=1)
 
     def seen_errors_m(self, camera: Camera) -> Array:
-        """Return the part of the errors (468, 2), metres, that does not depend on the face's shape."""
+        """Return the part of the expected errors (468, 2) that does not depend on the shape, metres."""
         return self.bias_m + self.turn_errors_m(camera.camera_from_model[:3, :3])
 
     def turn_errors_m(self, camera_from_head: Array) -> Array:
-        """Return the part of the errors (468, 2), metres, that comes from how the head is turned (3, 3)."""
-        return np.asarray(np.tensordot(_turned(camera_from_head), self.turn_m, axes=1))
+        """Return the part of the expected errors (468, 2) that depends on the head's rotation (3, 3), metres."""
+        return np.asarray(np.tensordot(_nod_and_turn(camera_from_head), self.turn_m, axes=1))
 
-    def own_errors_m(self, face_px: Array, places_m: Array, camera: Camera) -> Array:
-        """Return what the net makes of a face (468, 2), metres, that looks straight at the camera, from one photo.
+    def frontal_errors_m(self, face_px: Array, places_m: Array, camera: Camera) -> Array:
+        """Return the errors (468, 2) that the net would make on a frontal photo of this face, metres, from one photo.
 
         Parameters
         ----------
@@ -97,12 +97,12 @@ class HeadModes:
         return np.asarray(made - self.turn_errors_m(camera.camera_from_model[:3, :3]))
 
 
-def turned_from(camera: Camera) -> Array:
-    """Return how far (2,) the rest head nods and turns before a camera, radians; 0 looks straight at it."""
-    return _turned(camera.camera_from_model[:3, :3])
+def nod_and_turn(camera: Camera) -> Array:
+    """Return pitch and yaw (2,) of the head at rest before a camera, radians; 0 is a frontal view."""
+    return _nod_and_turn(camera.camera_from_model[:3, :3])
 
 
-def _turned(camera_from_head: Array) -> Array:
+def _nod_and_turn(camera_from_head: Array) -> Array:
     seen = camera_from_head @ np.diag([1.0, -1.0, -1.0])
     return np.asarray(Rotation.from_matrix(seen).as_rotvec()[:2], dtype=np.float64)
 
@@ -112,15 +112,17 @@ def _kernel(first: Array, second: Array) -> Array:
     return np.asarray(np.exp(-0.5 * squared / REACH_M**2))
 
 
-def canonical_way(generic: GenericHuman) -> Array:
-    """Return how the movable controls (K, 3) move from the generic's mean face to the canonical one, metres."""
+def canonical_displacements(generic: GenericHuman) -> Array:
+    """Return the displacements of the movable controls (K, 3) from the generic's mean face to the canonical face,
+    metres.
+    """
     place = importlib.resources.files("cloner_models") / "nets" / "canonical_face.npz"
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         canonical = archive["vertices_cm"].astype(np.float64)
     places = load_face_net().places.at(generic.vertices_m.astype(np.float64))
     scale, rotation, shift = similarity(canonical, places)
     way = scale * canonical @ rotation.T + shift - places
-    way = (way + way[_twins(places)] * [-1.0, 1.0, 1.0]) / 2.0
+    way = (way + way[_mirrored_points(places)] * [-1.0, 1.0, 1.0]) / 2.0
     controls = load_head_controls()
     movable = controls.controls_m[controls.movable]
     spread = np.sqrt((way**2).mean())
@@ -130,12 +132,12 @@ def canonical_way(generic: GenericHuman) -> Array:
     return np.asarray(_kernel(movable, places) @ np.linalg.solve(_kernel(places, places) + noise, way))
 
 
-def _twins(places: Array) -> NDArray[np.int64]:
+def _mirrored_points(places: Array) -> NDArray[np.int64]:
     return np.asarray(np.linalg.norm((places * [-1.0, 1.0, 1.0])[:, None] - places[None], axis=2).argmin(axis=1))
 
 
 def smooth_bends(controls_m: Array) -> Array:
-    """Return (3 * BENDS, K, 3) random bends of the controls, metres per standard deviation, nearly symmetric."""
+    """Return smooth random displacements of the controls (3 * BENDS, K, 3), metres per sigma, nearly symmetric."""
     own, across = _kernel(controls_m, controls_m), _kernel(controls_m, controls_m * [-1.0, 1.0, 1.0])
     out = np.zeros((3, BENDS, len(controls_m), 3))
     for axis in range(3):
@@ -146,13 +148,13 @@ def smooth_bends(controls_m: Array) -> Array:
     return out.reshape(-1, len(controls_m), 3)
 
 
-def parameter_fields() -> Array:
-    """Return what each of the head's parameters does to it, (P, H, 3) metres (200 MB: for learning only)."""
-    return fields_of(np.eye(len(load_generic().face_basis) + 3 * len(load_head_controls().names)))
+def parameter_displacements() -> Array:
+    """Return the head displacements (P, H, 3) of each parameter, metres (200 MB: for learning only)."""
+    return displacements_of(np.eye(len(load_generic().face_basis) + 3 * len(load_head_controls().names)))
 
 
-def fields_of(parameters: Array) -> Array:
-    """Return how heads (N, H, 3) of parameters (N, P) lie off the mean head: face shapes, then each control's x, y, z.
+def displacements_of(parameters: Array) -> Array:
+    """Return head displacements (N, H, 3) for parameters (N, P): face shapes, then x, y, z of each control.
 
     Controls fade out towards the neck's base, where the head is joined to the body; eyeballs move whole.
     """
@@ -168,7 +170,8 @@ def fields_of(parameters: Array) -> Array:
 
 
 def family_parameters() -> tuple[Array, Array]:
-    """Return mean (P,) and directions (D, P) of the generic's own family, bent: one of the two that heads mix.
+    """Return mean (P,) and directions (D, P) of the generic's own family with smooth bends, one of the two families
+    mixed.
 
     The generic's face targets, half the way to the canonical face of the face net, and smooth random bends.
     """
@@ -176,7 +179,7 @@ def family_parameters() -> tuple[Array, Array]:
     shapes, movable = len(generic.face_basis), np.flatnonzero(controls.movable)
     bends = smooth_bends(controls.controls_m[movable])
     moves = np.zeros((1 + len(bends), len(controls.names), 3))
-    moves[0, movable], moves[1:, movable] = canonical_way(generic), bends
+    moves[0, movable], moves[1:, movable] = canonical_displacements(generic), bends
     flat = moves.reshape(len(moves), -1)
     mean = np.r_[np.zeros(shapes), TOWARDS * flat[0]]
     flat[0] *= TOWARDS_SPREAD
@@ -186,28 +189,28 @@ def family_parameters() -> tuple[Array, Array]:
 
 
 def bent_shapes() -> tuple[Array, Array]:
-    """Return the mean (H, 3) and directions (E, H, 3) in which painted people depart from the generic's face shapes."""
+    """Return the mean (H, 3) and directions (E, H, 3) by which painted people differ from the generic's face shapes."""
     mean, directions = family_parameters()
-    beyond = fields_of(directions[len(load_generic().face_basis) :])
-    return fields_of(mean[None])[0], np.concatenate([beyond, ear_fields(load_generic())])
+    beyond = displacements_of(directions[len(load_generic().face_basis) :])
+    return displacements_of(mean[None])[0], np.concatenate([beyond, ear_modes(load_generic())])
 
 
 @functools.cache
 def head_shapes() -> tuple[Array, Array]:
-    """Return what is expected of everybody (H, 3) and the directions heads differ in (E, H, 3), the ears' last.
+    """Return the mean displacement (H, 3) and the shape modes (E, H, 3) of heads, those of the ears last.
 
     Made once a process; the parameters come from ``learn_head_shapes.py``.
     """
     place = importlib.resources.files("cloner_models") / "head_shapes.npz"
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         mean, directions = (archive[name].astype(np.float64) for name in ("mean", "directions"))
-    moved = fields_of(np.vstack([mean, directions]))
-    return moved[0], np.concatenate([moved[1:], ear_fields(load_generic())])
+    moved = displacements_of(np.vstack([mean, directions]))
+    return moved[0], np.concatenate([moved[1:], ear_modes(load_generic())])
 
 
 @functools.cache
 def load_head_modes() -> HeadModes:
-    """Return the shapes beyond the family and the net's errors (made by ``calibrate_head_net.py``)."""
+    """Return the shape modes and the net's error model (made by ``calibrate_head_net.py``)."""
     head_net = importlib.resources.files("cloner_models") / "head_net.npz"
     with head_net.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         data = {name: archive[name].astype(np.float64) for name in archive.files}

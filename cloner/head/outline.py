@@ -1,4 +1,4 @@
-"""The outline of a face photo's mask, prepared for the head's fit."""
+"""The outline of a face photo's mask for the head fit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.body.outlined import masked_field
+from cloner.body.outlined import mask_outline_field
 from cloner.calibration.loader import calibrated
 from cloner.records.arrays import Array
 from cloner.records.points import Proposal
@@ -24,7 +24,7 @@ FEWEST: Final = 20
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Outline:
-    """A photo's outline: places (N, 2) px, unit outward normals (N, 2), and where hair makes it (N,)."""
+    """An outline: pixels (N, 2), unit outward normals (N, 2), and where hair makes it (N,)."""
 
     places_px: Array
     normals: Array
@@ -32,14 +32,14 @@ class Outline:
     tree: cKDTree
 
     def nearest(self, points_px: Array) -> tuple[Array, NDArray[np.int64]]:
-        """Return how far (N,) px the outline is from points, and where on it (N,)."""
+        """Return the distance (N,) px from points to the outline, and the index of its nearest pixel (N,)."""
         gap, which = self.tree.query(points_px)
         return np.asarray(gap), np.asarray(which, dtype=np.int64)
 
 
-def read_outline(proposal: Proposal) -> Outline | None:
-    """Return the outline of a face photo's mask without what the picture's border cuts; None where there is none."""
-    field = masked_field(proposal)
+def mask_outline(proposal: Proposal) -> Outline | None:
+    """Return the outline of a face photo's mask without what the photo's border cuts, None where there is none."""
+    field = mask_outline_field(proposal)
     height, width = proposal.mask.shape
     near, far = BORDER * width, np.array([width, height]) - BORDER * width
     kept = ((field.samples_px > near) & (field.samples_px < far)).all(axis=1)

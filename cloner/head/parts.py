@@ -1,4 +1,4 @@
-"""What moves in a fitted head: eyeballs of real size behind their lids, lips that meet, teeth and tongue in place."""
+"""Parts inside the head: eyeballs of anatomical size behind the lids, lips in contact, teeth and tongue."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ NARROWER = _CALIBRATED.table("narrower", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Sight:
-    """What the front photo shows of the eyes.
+class EyeObservation:
+    """Irises and lids as the front photo shows them.
 
     Attributes
     ----------
@@ -47,8 +47,8 @@ class Sight:
     irises_px: Array
 
 
-def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
-    """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips met, teeth and tongue in the mouth.
+def place_eyes_and_mouth(before_m: Array, fitted_m: Array, sight: EyeObservation | None) -> Array:
+    """Return the vertices (V, 3) with lids on eyeballs of anatomical size, lips in contact, teeth and tongue placed.
 
     Lips meet, whatever the photo shows: what it paints on them is looked up where it has them
     (``paint/lookups/sources.py``).
@@ -62,45 +62,45 @@ def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     generic, out = load_generic(), fitted_m.copy()
     for number, side in enumerate(("left", "right")):
         iris = None if sight is None or not sight.irises_px.any() else (sight.camera, sight.irises_px[number])
-        _seat_eye(generic, out, side, iris)
+        _place_eye(generic, out, side, iris)
     grid = mouth_grid()
-    out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
-    _seat_mouth(generic, before_m, out)
+    out[grid.rings] = lips.seal_lips(grid, lips.uncross_lips(grid, lips.close_lips(grid, out[grid.rings])))
+    _place_mouth(generic, before_m, out)
     return out
 
 
-def _seat_eye(generic: GenericHuman, out: Array, side: str, iris: tuple[Camera, Array] | None) -> None:
-    """Lay one eye's lids on a ball of real size, and move its lashes with them, in place."""
+def _place_eye(generic: GenericHuman, out: Array, side: str, iris: tuple[Camera, Array] | None) -> None:
+    """Fit one eye's lids to an eyeball of anatomical size, and move its lashes along, in place."""
     grid = eye_grid(side)
     before = out[grid.rings]
-    middle = _between_lids(grid, before[grid.margin])
-    ball = Ball(np.append(middle, lids.depth_of_ball(grid, before, middle)))
+    middle = _pupil_between_lids(grid, before[grid.margin])
+    ball = Ball(np.append(middle, lids.eyeball_depth(grid, before, middle)))
     if iris is not None:
-        middle = middle + np.clip(_way_to(ball, *iris), -IRIS_REACH_M, IRIS_REACH_M)
-        ball = Ball(np.append(middle, lids.depth_of_ball(grid, before, middle)))
+        middle = middle + np.clip(_shift_to_pixel(ball, *iris), -IRIS_REACH_M, IRIS_REACH_M)
+        ball = Ball(np.append(middle, lids.eyeball_depth(grid, before, middle)))
     rows = generic.part(f"eye_{side}")
     rest = generic.vertices_m.astype(np.float64)
     out[rows] = ball.centre + ball_points(rest[rows] - eyeball(rest, side).centre, RIM_ANGLE)
-    out[grid.rings] = lids.laid_on(grid, before, ball)
-    _seat_lashes(generic, out, side)
+    out[grid.rings] = lids.lids_on_eyeball(grid, before, ball)
+    _place_lashes(generic, out, side)
 
 
-def _between_lids(grid: Grid, margin: Array) -> Array:
-    """Return where (2,) the pupil is from the front, by the lids alone."""
+def _pupil_between_lids(grid: Grid, margin: Array) -> Array:
+    """Return the frontal position (2,) of the pupil as the lids alone suggest it."""
     aside = margin[grid.corners, 0].mean()
     edges = [margin[lid][np.abs(margin[lid, 0] - aside).argsort()[:3], 1].mean() for lid in (grid.upper, grid.lower)]
     return np.array([aside, np.mean(edges) + PUPIL_UP_M])
 
 
-def _way_to(ball: Ball, camera: Camera, iris_px: Array) -> Array:
-    """Return how far (2,) to the left and up, metres, a ball has to move until its pupil is seen at a pixel."""
+def _shift_to_pixel(ball: Ball, camera: Camera, iris_px: Array) -> Array:
+    """Return the shift (2,) of an eyeball to the left and up, metres, that brings its pupil to a pixel."""
     pupil = ball.centre + np.array([0.0, 0.0, BALL_M])
     seen, by_point, _ = projection_derivatives(camera, pupil[None])
     return np.asarray(np.linalg.solve(by_point[0, :, :2], iris_px - seen[0]))
 
 
-def _seat_lashes(generic: GenericHuman, out: Array, side: str) -> None:
-    """Put one eye's lashes on the lids' margins, shortened, in place."""
+def _place_lashes(generic: GenericHuman, out: Array, side: str) -> None:
+    """Put one eye's lashes, shortened, on the lid margins, in place."""
     grid, own = eye_grid(side), lashes(side)
     rest = generic.vertices_m.astype(np.float64)
     for upper, length in zip((True, False), LASH_LENGTH, strict=True):
@@ -109,8 +109,8 @@ def _seat_lashes(generic: GenericHuman, out: Array, side: str) -> None:
         out[rows] = out[root] + length * (rest[rows] - rest[root])
 
 
-def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
-    """Put teeth and tongue behind the lips, in place: sized as the mouth became, the edges where teeth show."""
+def _place_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
+    """Scale teeth and tongue with the mouth and put them behind the lips, in place."""
     grid = mouth_grid()
     mouth = np.flatnonzero(generic.region("mouth_interior"))
     stomion = before[generic.feature("stomion"), 1]

@@ -1,4 +1,4 @@
-"""What the head stage tells of its fit: what was missing, and how far it lies from the photos."""
+"""Report of the head fit: missing evidence and residuals in the photos."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import numpy as np
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.geometry.outlines.contour_match import match
-from cloner.head.evidence import Front, Log, Side
-from cloner.head.fit import Fitted, outline_vertices, profile_candidates
-from cloner.head.jaw import FRONT, SIDE, opened
-from cloner.head.model import Model
+from cloner.head.evidence import FitLog, FrontEvidence, SideEvidence
+from cloner.head.fit import FittedHead, profile_candidates, silhouette_vertices
+from cloner.head.jaw import FRONT, SIDE, with_open_jaw
+from cloner.head.model import HeadModel
 from cloner.records.arrays import Array
 from cloner.records.points import FacePoints, Proposals
 from cloner.records.results import Residual
@@ -18,8 +18,8 @@ from cloner.records.results import Residual
 SHARED = ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom")
 
 
-def warn_missing(front: Front | None, side: Side | None, proposals: Proposals, log: Log) -> None:
-    """Log which photos of the face are missing and what that means."""
+def warn_missing(front: FrontEvidence | None, side: SideEvidence | None, proposals: Proposals, log: FitLog) -> None:
+    """Warn about missing face photos and the consequences."""
     if front is None:
         log.warnings.append("no photo shows the face from the front: the head is the generic one of this build")
     elif front.view is ViewId.BODY_FRONT:
@@ -31,12 +31,12 @@ def warn_missing(front: Front | None, side: Side | None, proposals: Proposals, l
 
 
 def report_front(
-    model: Model, fitted: Fitted, front: Front | None, points: FacePoints, jaws_rad: Array, log: Log
+    model: HeadModel, fitted: FittedHead, front: FrontEvidence | None, points: FacePoints, jaws_rad: Array, log: FitLog
 ) -> None:
-    """Log how far the finished head lies from the front photo's points."""
+    """Log the residuals of the front photo's points."""
     if front is None or fitted.front is None:
         return
-    whole = opened(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[FRONT])
+    whole = with_open_jaw(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[FRONT])
     eyes = fitted.front.project(whole[[model.generic.feature(f"pupil_{side}") for side in "LR"]])
     distance = max(float(np.linalg.norm(eyes[0] - eyes[1])), 1e-6)
     error = np.linalg.norm(fitted.front.project(model.net.places.at(whole)) - front.net_px, axis=1)
@@ -55,12 +55,14 @@ def report_front(
         log.residuals.append(Residual("front named points, worst", float(error.max()), "percent", view))
 
 
-def report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoints, jaws_rad: Array, log: Log) -> None:
-    """Log how far the finished head lies from the side photo's profile, and how the photos disagree."""
+def report_side(
+    model: HeadModel, fitted: FittedHead, side: SideEvidence | None, points: FacePoints, jaws_rad: Array, log: FitLog
+) -> None:
+    """Log the residuals of the side photo's profile, and how far both photos disagree."""
     if side is None or fitted.side is None:
         return
-    whole = opened(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[SIDE])
-    vertices = outline_vertices(whole, profile_candidates(model), fitted.side, side.facing)
+    whole = with_open_jaw(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[SIDE])
+    vertices = silhouette_vertices(whole, profile_candidates(model), fitted.side, side.facing)
     metres = fitted.side.metres_per_pixel(whole[model.generic.feature("nasion")])
     seen = fitted.side.project(whole[vertices])
     kept, target, normal = match(seen, side.contour_px, side.normals_px, gate_px=0.015 / metres)
@@ -73,16 +75,16 @@ def report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoi
 
 
 def height_disagreement_m(
-    model: Model, fitted: Fitted, side: Side | None, points: FacePoints, jaws_rad: Array
+    model: HeadModel, fitted: FittedHead, side: SideEvidence | None, points: FacePoints, jaws_rad: Array
 ) -> float | None:
-    """Return how far apart in height both photos put the points of `SHARED` on the average; None where one is missing.
+    """Return the mean difference in height of `SHARED` points between the photos, None where one is missing.
 
     A profile that was laid on hair or a hood agrees with its own outline, and not with the front photo.
     """
     front = points.views.get(ViewId.FACE_FRONT)
     if side is None or front is None or fitted.front is None or fitted.side is None:
         return None
-    whole = opened(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[SIDE])
+    whole = with_open_jaw(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[SIDE])
     beside = dict(zip(side.names, side.points_px, strict=True))
     heights = []
     for name in SHARED:

@@ -1,4 +1,4 @@
-"""How large a head is: from the face in the body photo, and without one from the usual size at this stature."""
+"""The head's size: from the face in the body photo, or from statistics at this stature."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from cloner.fit.cameras import resect
 from cloner.frames import ViewId
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.head.evidence import Front, Params
-from cloner.head.fit import Fitted
-from cloner.head.jaw import opened
-from cloner.head.model import Model
+from cloner.head.evidence import FrontEvidence, Params
+from cloner.head.fit import FittedHead
+from cloner.head.jaw import with_open_jaw
+from cloner.head.model import HeadModel
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals
@@ -29,21 +29,21 @@ BY_STATURE: Final = _CALIBRATED.number("by_stature", "factor")
 NET_M: Final = _CALIBRATED.number("net_m", "m")
 
 
-def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:
-    """Return body_front's camera relative to the rest head, which the body's pose carries along."""
+def body_camera(model: HeadModel, phenotype: Phenotype) -> Camera | None:
+    """Return body_front's camera relative to the head at rest, which the body's pose moves."""
     posed = phenotype.views.get(ViewId.BODY_FRONT)
     return None if posed is None else head_camera(model.joints_m, posed)
 
 
 def head_camera(joints_m: Array, posed: PosedView) -> Camera:
-    """Return a photo's camera relative to the head at rest, of a person with joints (94, 3)."""
+    """Return a photo's camera relative to the head at rest, for a person with joints (94, 3)."""
     transforms = joint_transforms(joints_m, load_generic().joint_parents, posed.rotations)
     skull = transforms[load_generic().joint("skullbase")]
     return replace(posed.camera, camera_from_model=posed.camera.camera_from_model @ skull)
 
 
-def usual_scale(model: Model, fitted: Fitted, phenotype: Phenotype) -> float:
-    """Return the factor that gives a head the usual size at its stature.
+def expected_scale(model: HeadModel, fitted: FittedHead, phenotype: Phenotype) -> float:
+    """Return the factor that brings a head to the expected size at its stature.
 
     Eye distance, height of the face and length of the skull vote alike; each alone differs by 4 to 6 % among people.
     """
@@ -63,15 +63,15 @@ def usual_scale(model: Model, fitted: Fitted, phenotype: Phenotype) -> float:
 
 
 def head_scale(
-    model: Model,
-    fitted: Fitted,
+    model: HeadModel,
+    fitted: FittedHead,
     jaw_rad: float,
-    front: Front | None,
+    front: FrontEvidence | None,
     proposals: Proposals,
     phenotype: Phenotype,
     params: Params,
 ) -> float:
-    """Return the head's size as a factor: the face in the body photo against the phenotype's own head.
+    """Return the head's scale: the face in the body photo weighed against the phenotype's own head.
 
     The face photos alone tell no size. The body photo does, through its camera, but its face is small; both guesses
     are weighted by their errors. A jaw that is open in the face photo by ``jaw_rad`` is no error of the net's. Without
@@ -79,7 +79,7 @@ def head_scale(
     """
     limit = np.log1p(params.scale_limit)
     if front is not None and not phenotype.views:
-        return float(np.exp(np.clip(np.log(usual_scale(model, fitted, phenotype)), -limit, limit)))
+        return float(np.exp(np.clip(np.log(expected_scale(model, fitted, phenotype)), -limit, limit)))
     camera, proposal = body_camera(model, phenotype), proposals.views.get(ViewId.BODY_FRONT)
     if front is None or fitted.front is None or camera is None:
         return 1.0
@@ -87,15 +87,15 @@ def head_scale(
         return 1.0
     whole = model.whole(fitted.head_m)
     places = model.net.places.at(whole)
-    shown = model.net.places.at(opened(model.generic, whole, model.joints_m, jaw_rad))
-    made = model.modes.own_errors_m(front.net_px, shown, fitted.front)
-    factor = seen_scale(model, places, made, camera, proposal.face_px)
+    shown = model.net.places.at(with_open_jaw(model.generic, whole, model.joints_m, jaw_rad))
+    made = model.modes.frontal_errors_m(front.net_px, shown, fitted.front)
+    factor = observed_scale(model, places, made, camera, proposal.face_px)
     certain = params.own_scale**2 / (params.own_scale**2 + params.body_scale**2)
     return float(np.exp(np.clip(certain * np.log(max(factor, 1e-3)), -limit, limit)))
 
 
-def seen_scale(model: Model, places: Array, made: Array, camera: Camera, face_px: Array) -> float:
-    """Return how much larger a photo shows a face (468, 2) px than the camera would.
+def observed_scale(model: HeadModel, places: Array, made: Array, camera: Camera, face_px: Array) -> float:
+    """Return the scale of a face (468, 2) px in a photo relative to its projection.
 
     The face may nod and turn otherwise than the camera believes, and is drawn with the net's errors (468, 2), metres,
     that were found in another photo of the same face: a bent or a turned face looks smaller than it is.

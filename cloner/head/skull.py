@@ -1,4 +1,4 @@
-"""Keep the skull inside the outline of head and hair: photos show the hair, never the skull, so it may only shrink."""
+"""The skull inside the outline of head and hair: photos show the hair, never the skull, so it can only shrink."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.deformation.dffd import deform
-from cloner.head.model import Model
+from cloner.head.model import HeadModel
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -31,8 +31,8 @@ MAP_PX_PER_M = _CALIBRATED.number("map_px_per_m", "px/m")
 ITERATIONS = 12
 
 
-def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np.int64]]:
-    """Return what relative changes of the skull do to the head (3, H, 3), and the rows of skull vertices.
+def skull_modes(model: HeadModel, controls: HeadControls) -> tuple[Array, NDArray[np.int64]]:
+    """Return the modes (3, H, 3) of relative changes of the skull, and the rows of skull vertices.
 
     The changes are: height above the eyes, depth behind the ears, width over the ears. Anchors carry them, so that DFFD
     blends them into face and neck.
@@ -59,7 +59,7 @@ def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np
 def _depth_maps(
     masks: Sequence[tuple[Camera, NDArray[np.uint8]]], centre_m: Array
 ) -> list[tuple[Camera, Array, list[Array], int]]:
-    """Return per photo the depth inside the outline, metres, on a coarser grid, its slopes, and the step, px."""
+    """Return per photo the depth inside the outline, metres, on a coarse grid, its gradients, and the grid step, px."""
     out = []
     for camera, mask in masks:
         metres = camera.metres_per_pixel(centre_m)
@@ -72,12 +72,12 @@ def _depth_maps(
 
 
 def fit_skull(
-    model: Model, head: Array, controls: HeadControls, masks: Sequence[tuple[Camera, NDArray[np.uint8]]]
+    model: HeadModel, head: Array, controls: HeadControls, masks: Sequence[tuple[Camera, NDArray[np.uint8]]]
 ) -> tuple[Array, Array]:
-    """Return the head (H, 3) with its skull shrunk into the outlines, and the factors (height, back, width)."""
+    """Return the head (H, 3) with the skull shrunk into the outlines, and the factors (height, back, width)."""
     if not masks:
         return head, np.ones(3)
-    fields, rows = skull_moves(model, controls)
+    fields, rows = skull_modes(model, controls)
     maps, own = _depth_maps(masks, head[rows].mean(axis=0)), fields[:, rows].transpose(1, 2, 0)
 
     def linearise(values: Values, iteration: int) -> Iterator[Residuals]:

@@ -1,4 +1,4 @@
-"""Face targets of this person: the generic human's, carried over by how the face differs, then made to fit.
+"""Morph targets of this face: deformation transfer from the generic human, then contact of lids and lips.
 
 Skin takes the generic's displacements through local affine maps. Where moving parts touch, nothing is left to chance:
 lids are solved along the eyeball, lips meet where they should, teeth and tongue move with the jaw, eyeballs turn.
@@ -44,7 +44,7 @@ SIDES = ("left", "right")
 
 @functools.cache
 def _head_maps() -> tuple[NDArray[np.int64], LocalMaps]:
-    """Return the head's skin vertices and the solver of their local maps."""
+    """Return the head's skin vertices and the solver of their local affine maps."""
     generic = load_generic()
     head = generic.head_vertices
     rows = head[generic.skin[head]].astype(np.int64)
@@ -52,16 +52,16 @@ def _head_maps() -> tuple[NDArray[np.int64], LocalMaps]:
 
 
 @functools.cache
-def _takes() -> Array:
-    """Return (S,) the share of a target that the head's skin vertices take."""
+def _target_share() -> Array:
+    """Return the share (S,) of a target's displacement at the head's skin vertices."""
     generic, (rows, _) = load_generic(), _head_maps()
     still = generic.region("ear_left") | generic.region("ear_right") | generic.region("scalp")
     away, _ = cKDTree(generic.vertices_m[still]).query(generic.vertices_m[rows], distance_upper_bound=FADE_M)
     return np.asarray(STILL + (1.0 - STILL) * np.minimum(away / FADE_M, 1.0))
 
 
-class _Face:
-    """One person's face at rest, and how generic displacements become theirs."""
+class _PersonalTargets:
+    """A face at rest, to which the generic targets are transferred."""
 
     def __init__(self, vertices_m: Array) -> None:
         self.generic, self.rest_m = load_generic(), vertices_m
@@ -71,9 +71,9 @@ class _Face:
         self.mean_m = self.generic.vertices_m.astype(np.float64)
 
     def target(self, name: str, raw: Array, jaw_open: Array) -> Array:
-        """Return a target's offsets (V, 3); ``raw`` are the generic's, ``jaw_open`` this face's own for jawOpen."""
+        """Return a target's displacements (V, 3); ``raw`` are the generic's, ``jaw_open`` this face's for jawOpen."""
         out = np.zeros_like(raw)
-        out[self.skin] = np.einsum("vab,vb->va", self.maps, raw[self.skin]) * _takes()[:, None]
+        out[self.skin] = np.einsum("vab,vb->va", self.maps, raw[self.skin]) * _target_share()[:, None]
         self._move_mouth(out, raw)
         for side in SIDES:
             self._move_eye(name, out, raw, side)
@@ -81,10 +81,10 @@ class _Face:
         return out
 
     def tongue_out(self, jaw_open: Array) -> Array:
-        """Return the offsets (V, 3) of a tongue that is put out, the jaw as far open as it needs."""
+        """Return the displacements (V, 3) of the tongue put out, with the jaw as far open as it needs."""
         generic, grid, out = self.generic, mouth_grid(), TONGUE_OPENS * jaw_open
         rows, teeth, shape = generic.part("tongue"), generic.part("teeth_lower"), self.rest_m + out
-        put_out = tongue.put_out(self.rest_m[rows], shape[rows], shape[grid.rings], grid, shape[teeth])
+        put_out = tongue.extended_tongue(self.rest_m[rows], shape[rows], shape[grid.rings], grid, shape[teeth])
         out[rows] = put_out - self.rest_m[rows]
         return out
 
@@ -105,7 +105,7 @@ class _Face:
         out[tongue_rows] += own
 
     def _move_eye(self, name: str, out: Array, raw: Array, side: str) -> None:
-        """Turn the eyeball and fit the lids to it, in place."""
+        """Rotate the eyeball and fit the lids to it, in place."""
         grid, ball = eye_grid(side), self.balls[side]
         rows, rest = self.generic.part(f"eye_{side}"), self.rest_m[grid.rings]
         up = 0.0
@@ -114,18 +114,18 @@ class _Face:
             out[rows] = (self.rest_m[rows] - ball.centre) @ (turn.T - np.eye(3))
             up = float(np.arcsin(np.clip(turn[1, 2], -1.0, 1.0)))
         if name == f"eyeBlink{side.title()}":
-            moved = lids.blinked(grid, rest, ball)
+            moved = lids.closed_lids(grid, rest, ball)
         elif abs(up) > 0.01:
-            moved = lids.followed(grid, rest, ball, up)
+            moved = lids.lids_following_gaze(grid, rest, ball, up)
         elif np.abs(out[grid.rings]).max() < SMALLEST_M:
             return
         else:
-            moved = lids.kept_on(grid, rest, rest + out[grid.rings], ball)
+            moved = lids.keep_on_eyeball(grid, rest, rest + out[grid.rings], ball)
         out[grid.rings] = moved - rest
         self._move_lashes(out, side, ball)
 
     def _move_lashes(self, out: Array, side: str, ball: Ball) -> None:
-        """Carry the lashes with the margins they grow from, in place."""
+        """Move the lashes with the lid margins that they grow from, in place."""
         grid, own = eye_grid(side), lashes(side)
         root = grid.ring(1)[own.column]
         margin = grid.ring(0)[own.column]
@@ -137,7 +137,7 @@ class _Face:
         out[own.vertices] = out[root] + np.stack([np.zeros(len(up)), up - spoke[:, 1], ahead - spoke[:, 2]], axis=1)
 
     def _move_lips(self, name: str, out: Array, jaw_open: Array) -> None:
-        """Make the lips meet where they should and nowhere cross, in place."""
+        """Bring the lips into contact where they should touch and remove crossings, in place."""
         grid = mouth_grid()
         rest = self.rest_m[grid.rings]
         if name == "mouthClose":  # by definition it closes the lips of a jaw that is as far open
@@ -146,18 +146,18 @@ class _Face:
             return
         moved = rest + out[grid.rings]
         if name != "mouthClose" and name not in CLOSED:
-            moved = lips.rounded(grid, rest, moved, lips.ROUND.get(name, 1.0))
+            moved = lips.round_lips(grid, rest, moved, lips.ROUND.get(name, 1.0))
         for part in ("teeth_upper", "teeth_lower"):
             rows = self.generic.part(part)
-            moved = lips.before_teeth(grid, moved, self.rest_m[rows] + out[rows])
+            moved = lips.keep_before_teeth(grid, moved, self.rest_m[rows] + out[rows])
         if name == "mouthClose" or name in CLOSED:
-            moved = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, moved)))
-        out[grid.rings] = lips.uncrossed(grid, moved) - rest
+            moved = lips.seal_lips(grid, lips.uncross_lips(grid, lips.close_lips(grid, moved)))
+        out[grid.rings] = lips.uncross_lips(grid, moved) - rest
 
 
 def face_targets(vertices_m: Array) -> Targets:
-    """Return names, vertex indices, displacements and starts of the face targets of a person at rest, (V, 3) metres."""
-    face, names = _Face(vertices_m), []
+    """Return names, vertex indices, displacements and offsets of a person's face targets, at rest (V, 3) metres."""
+    face, names = _PersonalTargets(vertices_m), []
     index, delta, start = [], [], [0]
     for name, offsets in _targets(face):
         rows = np.flatnonzero(np.linalg.norm(offsets, axis=1) > SMALLEST_M)
@@ -165,22 +165,26 @@ def face_targets(vertices_m: Array) -> Targets:
         index.append(rows)
         delta.append(offsets[rows])
         start.append(start[-1] + len(rows))
-    return (tuple(names), np.concatenate(index).astype(np.int32), np.concatenate(delta).astype(np.float32),
-            np.array(start, dtype=np.int32))  # fmt: skip
+    return (
+        tuple(names),
+        np.concatenate(index).astype(np.int32),
+        np.concatenate(delta).astype(np.float32),
+        np.array(start, dtype=np.int32),
+    )
 
 
-def _targets(face: _Face) -> Iterator[tuple[str, Array]]:
+def _targets(face: _PersonalTargets) -> Iterator[tuple[str, Array]]:
     generic = face.generic
-    jaw_open = face.target("jawOpen", _raw(generic, "jawOpen"), np.zeros_like(face.rest_m))
+    jaw_open = face.target("jawOpen", _generic_target(generic, "jawOpen"), np.zeros_like(face.rest_m))
     for name in (*generic.arkit_names, *generic.viseme_names):
         if name == "tongueOut":
             yield name, face.tongue_out(jaw_open)
         else:
-            yield name, face.target(name, _raw(generic, name), jaw_open)
+            yield name, face.target(name, _generic_target(generic, name), jaw_open)
 
 
-def _raw(generic: GenericHuman, name: str) -> Array:
-    """Return the generic's offsets (V, 3) of a target."""
+def _generic_target(generic: GenericHuman, name: str) -> Array:
+    """Return the generic human's displacements (V, 3) for a target."""
     out = np.zeros((len(generic.vertices_m), 3))
     rows, offsets = generic.face_unit(name)
     out[rows] = offsets

@@ -1,4 +1,4 @@
-"""The tongue: a rounded tip at rest, and a tip that comes out over the lower lip without going through it.
+"""The tongue: a rounded tip at rest, and the shape put out over the lower lip without intersecting it.
 
 Tongue points are (T, 3) metres, +Y up, +Z front; the tip is the foremost end.
 """
@@ -38,13 +38,13 @@ STEPS = 18
 
 
 def rounded_tip(points: Array) -> Array:
-    """Return a broad-ended tongue with a round tip and a furrow along its back, as long as before."""
+    """Return a broad tongue with a round tip and a furrow along its back, of the same length."""
     out, tip = points.copy(), points[:, 2].max()
     middle = (points[:, 0].min() + points[:, 0].max()) / 2.0
     behind = np.clip((tip - points[:, 2]) / TIP_M, 0.0, 1.0)
-    width = _round(behind)
+    width = _half_ellipse(behind)
     out[:, 0] = middle + width * (points[:, 0] - middle)
-    back, half = _back(points)
+    back, half = _ridge(points)
     upper = points[:, 1] > back
     furrow = FURROW_M * np.exp(-(((out[:, 0] - middle) / FURROW_WIDE_M) ** 2)) * np.minimum(2.0 * behind, 1.0)
     out[:, 1] += RAISED_M * np.clip(1.0 - (tip - points[:, 2]) / RAISED_FROM_M, 0.0, 1.0)
@@ -52,13 +52,13 @@ def rounded_tip(points: Array) -> Array:
     return out
 
 
-def _round(behind: Array) -> Array:
+def _half_ellipse(behind: Array) -> Array:
     """Return the width of half an ellipse, 0..1, at a share of its length from its end."""
     return np.asarray(np.maximum(np.sqrt(1.0 - (1.0 - np.clip(behind, 0.0, 1.0)) ** 2), BLUNT))
 
 
-def _along(points: Array, values: Array, pick: np.ufunc) -> Array:
-    """Return (T,) the least or the greatest of some values (T,) of the points as deep in the mouth as each."""
+def _extreme_at_depth(points: Array, values: Array, pick: np.ufunc) -> Array:
+    """Return the least or the greatest (T,) of some values (T,) among the points at the same depth in the mouth."""
     steps = np.linspace(points[:, 2].min(), points[:, 2].max(), STEPS)
     found = []
     for depth in steps:
@@ -67,19 +67,19 @@ def _along(points: Array, values: Array, pick: np.ufunc) -> Array:
     return np.asarray(np.interp(points[:, 2], steps, np.array(found)))
 
 
-def _outline(points: Array) -> Array:
-    """Return (T,) half of the tongue's width at every point's depth, metres."""
+def _half_widths(points: Array) -> Array:
+    """Return half of the tongue's width at every point's depth, (T,) metres."""
     middle = (points[:, 0].min() + points[:, 0].max()) / 2.0
-    return _along(points, np.abs(points[:, 0] - middle), np.maximum)
+    return _extreme_at_depth(points, np.abs(points[:, 0] - middle), np.maximum)
 
 
-def _back(points: Array) -> tuple[Array, Array]:
-    """Return (T,) height of the tongue's middle at every point's depth, and half of its thickness there, metres."""
-    low, high = (_along(points, points[:, 1], pick) for pick in (np.minimum, np.maximum))
+def _ridge(points: Array) -> tuple[Array, Array]:
+    """Return the height of the tongue's middle at every point's depth, and half of its thickness there, (T,) metres."""
+    low, high = (_extreme_at_depth(points, points[:, 1], pick) for pick in (np.minimum, np.maximum))
     return (low + high) / 2.0, np.maximum((high - low) / 2.0, 1e-4)
 
 
-def put_out(rest: Array, lying: Array, lips: Array, grid: Grid, teeth: Array) -> Array:
+def extended_tongue(rest: Array, lying: Array, lips: Array, grid: Grid, teeth: Array) -> Array:
     """Return the tongue (T, 3) put out between lips that the jaw has opened.
 
     Its front part goes up over the lower teeth, lies on the lower lip, cupped as that is, and hangs down before it.
@@ -97,17 +97,17 @@ def put_out(rest: Array, lying: Array, lips: Array, grid: Grid, teeth: Array) ->
     """
     comes = np.clip(1.0 - (rest[:, 2].max() - rest[:, 2]) / COMES_M, 0.0, 1.0)
     middle = (rest[:, 0].min() + rest[:, 0].max()) / 2.0
-    path, lip_top = _path(lying, comes, lips, grid, teeth, middle)
+    path, lip_top = _tongue_path(lying, comes, lips, grid, teeth, middle)
     bend = PchipInterpolator(path[:, 0], path[:, 1:])
     place, along = bend(comes), bend.derivative()(comes)
     along = unit(along)
-    back, half = _back(rest)
+    back, half = _ridge(rest)
     rise = (rest[:, 1] - back) / half
     blend = np.clip(comes / 0.5, 0.0, 1.0)
     on_lip = float(path[2, 0])
     thick = np.interp(comes, [on_lip, 1.0], [THICK_M, TIP_THICK_M])
     thick = half + blend * (np.minimum(thick, half) - half)
-    out_wide = WIDE_M * (rest[:, 0] - middle) / np.maximum(_outline(rest), 1e-4)
+    out_wide = WIDE_M * (rest[:, 0] - middle) / np.maximum(_half_widths(rest), 1e-4)
     aside = rest[:, 0] - middle + blend * (out_wide - (rest[:, 0] - middle))
     rise *= thick
     out = np.stack([middle + aside, place[:, 0] + rise * along[:, 1], place[:, 1] - rise * along[:, 0]], axis=1)
@@ -116,10 +116,10 @@ def put_out(rest: Array, lying: Array, lips: Array, grid: Grid, teeth: Array) ->
     return np.asarray(lying + share * (out - lying))
 
 
-def _path(
+def _tongue_path(
     lying: Array, comes: Array, lips: Array, grid: Grid, teeth: Array, middle: float
 ) -> tuple[Array, tuple[Array, Array]]:
-    """Return what the tongue's middle goes through, rows of (share, y, z), and the lower lip's top (x, y)."""
+    """Return the path of the tongue's middle, rows of (share, y, z), and the lower lip's top (x, y)."""
     lower = np.flatnonzero(grid.lower)
     top = lips[:, lower, 1].max(axis=0)
     order = np.argsort(lips[grid.margin, lower, 0])

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, gaps_mm, see
+from cloner.body.outlined import OutlinedPhoto, outline_distances_mm, posed_silhouette
 from cloner.frames import ViewId
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
@@ -59,7 +59,7 @@ class Gathered:
 def gathered(
     joined: Joined,
     mesh: BodyMesh,
-    outlined: Mapping[ViewId, Outlined],
+    outlined: Mapping[ViewId, OutlinedPhoto],
     silhouettes: SilhouetteSet,
     proposals: Proposals,
 ) -> Gathered:
@@ -78,13 +78,13 @@ def gathered(
     """
     shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
     regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
-    seen = {view: see(mesh, photo) for view, photo in outlined.items()}
+    seen = {view: posed_silhouette(mesh, photo) for view, photo in outlined.items()}
     cover = covers(proposals, joined)
     return Gathered(
         shown,
         cover,
         around_legs=any(region.name == AROUND_LEGS for region in regions),
-        gap_mm=float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in outlined.items()])),
+        gap_mm=float(np.mean([outline_distances_mm(seen[view], photo)[""] for view, photo in outlined.items()])),
         rumple_mm=garments_rumples_mm(seen, outlined, silhouettes, cover),
         hidden=hidden_rows(mesh.vertices_m, seen),
         under_mm=naked_girths(mesh, shown, seen, proposals),

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Seen
+from cloner.body.outlined import PosedSilhouette
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.tape import load_tape_rules
@@ -35,7 +35,7 @@ ROUND: Final = (
 FARTHEST_ROWS: Final = _CALIBRATED.number("farthest_rows", "factor")
 
 
-def naked_girths(mesh: BodyMesh, shown_mm: Mapping[str, float], seen: Mapping[ViewId, Seen],
+def naked_girths(mesh: BodyMesh, shown_mm: Mapping[str, float], seen: Mapping[ViewId, PosedSilhouette],
                  proposals: Proposals) -> Array:  # fmt: skip
     """Return (K,) girths of `ALL_KEYS` under clothes, mm: what the clone shows times the share that is the body's.
 
@@ -78,7 +78,7 @@ def naked_girths(mesh: BodyMesh, shown_mm: Mapping[str, float], seen: Mapping[Vi
     return found
 
 
-def _widths(mesh: BodyMesh, own: Seen, plane: Plane, edges: NDArray[np.float64], kind: int) -> Array | None:
+def _widths(mesh: BodyMesh, own: PosedSilhouette, plane: Plane, edges: NDArray[np.float64], kind: int) -> Array | None:
     """Return (2,) how wide the body and the clone are in a photo at a tape's level, mm; None where that is not seen."""
     rows = edges[edges[:, 0] == kind]
     cut = slice_values(own.body.pixels, mesh.vertices_m, plane.triangles, plane.point_m, plane.normal)

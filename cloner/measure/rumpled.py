@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.body.outlined import Outlined, Seen
+from cloner.body.outlined import OutlinedPhoto, PosedSilhouette
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -29,8 +29,8 @@ LEAST_MM: Final = _CALIBRATED.number("least_mm", "mm")
 
 
 def garments_rumples_mm(
-    seen: Mapping[ViewId, Seen],
-    photos: Mapping[ViewId, Outlined],
+    seen: Mapping[ViewId, PosedSilhouette],
+    photos: Mapping[ViewId, OutlinedPhoto],
     silhouettes: SilhouetteSet,
     covers: Mapping[str, Cover],
 ) -> Array:

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Seen
+from cloner.body.outlined import PosedSilhouette
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -36,7 +36,7 @@ LEVELS: Final[Mapping[str, str | float]] = {
 }
 
 
-def hidden_rows(vertices_m: Array, seen: Mapping[ViewId, Seen]) -> NDArray[np.bool_]:
+def hidden_rows(vertices_m: Array, seen: Mapping[ViewId, PosedSilhouette]) -> NDArray[np.bool_]:
     """Return (K,) which measures of `ALL_KEYS` go round the trunk where an arm hides its depth.
 
     Parameters
@@ -62,7 +62,7 @@ def _height_m(vertices_m: Array, level: str | float) -> float:
     return armpit + level * (crotch - armpit)
 
 
-def _is_hidden(above_m: Array, side: Seen) -> bool:
+def _is_hidden(above_m: Array, side: PosedSilhouette) -> bool:
     """Return whether the trunk's vertices near a level (0) end beside an arm, on either side."""
     generic = load_generic()
     names = np.array([name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names])

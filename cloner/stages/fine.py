@@ -16,13 +16,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.feet import Params as FeetParams
-from cloner.body.feet import shaped_feet, sized_feet, toes_share
-from cloner.body.hands import SPREAD, USUAL, sized_hands
-from cloner.body.outlined import Outlined, coverage, gaps_mm, outlined_photos, see, views_of
-from cloner.body.seen_joints import SeenJoints, seen_joints
-from cloner.body.stances import Params as StanceParams
-from cloner.body.stances import fit_stances
-from cloner.body.tape_fit import taped_body
+from cloner.body.feet import scale_feet, shape_feet, toe_weights
+from cloner.body.hands import SPREAD, USUAL, scale_hands
+from cloner.body.limb_poses import Params as StanceParams
+from cloner.body.limb_poses import fit_limb_poses
+from cloner.body.observed_joints import ObservedJoints, observed_joints
+from cloner.body.outlined import (
+    OutlinedPhoto,
+    outline_distances_mm,
+    outlined_photos,
+    paper_body_views,
+    posed_silhouette,
+    silhouette_iou,
+)
+from cloner.body.tape_fit import fit_tape_measures
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
@@ -80,7 +87,7 @@ def rim_trust() -> Array:
     for side in ("left", "right"):
         trust[generic.segment(f"{side}_hand")] = 0.05
         trust[generic.segment(f"{side}_foot") & generic.skin] = FOOT_TRUST
-    trust *= np.where(generic.region("sole"), 0.0, 1.0 - toes_share())
+    trust *= np.where(generic.region("sole"), 0.0, 1.0 - toe_weights())
     if len(generic.head_blend):
         trust *= 1.0 - np.clip(generic.head_blend.astype(np.float64) * 2.0, 0.0, 1.0)
     else:
@@ -88,7 +95,7 @@ def rim_trust() -> Array:
     return trust
 
 
-def beyond_cloth(photo: Outlined, pixels: Array) -> NDArray[np.bool_]:
+def beyond_cloth(photo: OutlinedPhoto, pixels: Array) -> NDArray[np.bool_]:
     """Return (M,) whether the body at pixels (M, 2) sticks out of the outline: there it gives way to cloth too."""
     return np.asarray(photo.field.signed_distance(pixels) > 0.0)
 
@@ -99,7 +106,9 @@ def neck_trust() -> Array:
     return np.where(generic.region("neck") & generic.skin, 1.0, 0.0)
 
 
-def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, params: Params, trust: Array) -> BodyMesh:
+def settled(
+    mesh: BodyMesh, photos: tuple[OutlinedPhoto, ...], reach_mm: float, params: Params, trust: Array
+) -> BodyMesh:
     """Return the body after one smooth displacement of its skin on to all outlines.
 
     Parameters
@@ -117,7 +126,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
     ways = smoothed_directions(normals, triangles, turns=params.direction_turns)
     rows, slopes, gaps, weights = [], [], [], []
     for photo in photos:
-        seen = see(mesh, photo)
+        seen = posed_silhouette(mesh, photo)
         camera = photo.posed.camera
         rim = np.flatnonzero(seen.body.on_rim & (trust > 0))
         if not len(rim):  # arms or hair hide all that may move
@@ -159,27 +168,27 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
 
 
 def extremities(
-    mesh: BodyMesh, photos: dict[ViewId, Outlined], sole_m: float, joints: Mapping[ViewId, SeenJoints]
-) -> tuple[BodyMesh, dict[ViewId, Outlined]]:
+    mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto], sole_m: float, joints: Mapping[ViewId, ObservedJoints]
+) -> tuple[BodyMesh, dict[ViewId, OutlinedPhoto]]:
     """Return the body with hands and feet of the photos' size, and the photos with limbs turned to it."""
-    start, usual, spread = shaped_feet(mesh, sole_m, FeetParams())
+    start, usual, spread = shape_feet(mesh, sole_m, FeetParams())
     feet = len(usual)
 
     def sizer(size: Array) -> BodyMesh:
-        return sized_hands(BodyMesh(sized_feet(start, size[:feet], sole_m), start.joints_m), size[feet:])
+        return scale_hands(BodyMesh(scale_feet(start, size[:feet], sole_m), start.joints_m), size[feet:])
 
     size = (np.concatenate([usual, USUAL]), np.concatenate([spread, SPREAD]))
-    return fit_stances(sizer, size, photos, joints, StanceParams())
+    return fit_limb_poses(sizer, size, photos, joints, StanceParams())
 
 
-def residuals_of(mesh: BodyMesh, photos: dict[ViewId, Outlined]) -> tuple[Residual, ...]:
+def residuals_of(mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto]) -> tuple[Residual, ...]:
     """Return how far the body's rim lies from the outline in every photo, whole and per part, and the overlap."""
     residuals = []
     for view, photo in photos.items():
-        seen = see(mesh, photo)
-        for part, gap in gaps_mm(seen, photo).items():
+        seen = posed_silhouette(mesh, photo)
+        for part, gap in outline_distances_mm(seen, photo).items():
             residuals.append(Residual(f"outline gap {part}".strip(), gap, "mm", view.value))
-        overlap = 100.0 * coverage(seen, photo)
+        overlap = 100.0 * silhouette_iou(seen, photo)
         residuals.append(Residual("silhouette overlap without hair", overlap, "percent", view.value))
     return (*residuals,)
 
@@ -198,23 +207,23 @@ def run(
     params = Params()
     photos = outlined_photos(phenotype, silhouettes, proposals)
     if not photos:
-        start, usual, _ = shaped_feet(rough_bodies.consensus, phenotype.sole_m, FeetParams())
-        shod = BodyMesh(sized_feet(start, usual, phenotype.sole_m), start.joints_m)
+        start, usual, _ = shape_feet(rough_bodies.consensus, phenotype.sole_m, FeetParams())
+        shod = BodyMesh(scale_feet(start, usual, phenotype.sole_m), start.joints_m)
         return StageResult({"body": FineBody(shod)})
     levels = (np.arange(params.slices) + 0.5) / params.slices
     sliced = []
     for main, body in ((ViewId.BODY_FRONT, rough_bodies.front_side), (ViewId.BODY_BACK, rough_bodies.back_side)):
-        sliced.append(shape_slices(body, views_of(photos, main), levels, params.slice_reach_mm, params.smooth))
+        sliced.append(shape_slices(body, paper_body_views(photos, main), levels, params.slice_reach_mm, params.smooth))
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
     points = {view: for_fitting(of_view) for view, of_view in body_points.views.items()}
-    joints_seen = seen_joints(phenotype, proposals, points)
+    joints_seen = observed_joints(phenotype, proposals, points)
     consensus, photos = extremities(consensus, photos, phenotype.sole_m, joints_seen)
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
-    consensus = taped_body(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
+    consensus = fit_tape_measures(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
     return StageResult(
         {"body": FineBody(consensus, {view: photo.posed for view, photo in photos.items()})},
         residuals_of(consensus, photos),

@@ -14,21 +14,21 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.charts.iris import sample_iris
 from cloner.geometry.meshes.eyeballs import IRIS_M
-from cloner.head.evidence import Front, Log, Params, Side, focal_px, read_front, read_side
+from cloner.head.evidence import FitLog, FrontEvidence, Params, SideEvidence, focal_px, front_evidence, side_evidence
 from cloner.head.fit import (
-    Fitted,
-    fit_basis,
-    scaled,
-    start_front,
-    start_side,
+    FittedHead,
+    fit_head,
+    initial_front_camera,
+    initial_side_cameras,
+    scaled_about,
 )
-from cloner.head.flank import find_flank
 from cloner.head.jaw import FRONT, PHOTOS, SIDE
-from cloner.head.model import Model, make_model
-from cloner.head.parts import Sight, seat_parts
+from cloner.head.model import HeadModel, make_head_model
+from cloner.head.parts import EyeObservation, place_eyes_and_mouth
 from cloner.head.relief import add_relief
 from cloner.head.report import height_disagreement_m, report_front, report_side, warn_missing
 from cloner.head.size import body_camera, head_scale
+from cloner.head.skin_matches import match_front_to_side
 from cloner.head.skull import fit_skull
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype
@@ -56,10 +56,10 @@ class Shaped:
     openings (2,) in front and side photo, radians.
     """
 
-    basis: Fitted
-    relief: Fitted
+    basis: FittedHead
+    relief: FittedHead
     moved: Array
-    side: Side | None
+    side: SideEvidence | None
     jaws_rad: Array
 
 
@@ -78,14 +78,14 @@ def run(
     against the named proposals), "profile" mm, "height disagreement" mm of points both photos show, "head size"
     percent against the phenotype's own head, "relief" mm.
     """
-    params, log = Params(), Log()
-    model = make_model(phenotype)
-    front = read_front(model, photos, proposals, face_points, params)
-    side = read_side(model, proposals, silhouettes, face_points, params)
+    params, log = Params(), FitLog()
+    model = make_head_model(phenotype)
+    front = front_evidence(model, photos, proposals, face_points, params)
+    side = side_evidence(model, proposals, silhouettes, face_points, params)
     shaped = shape_head(model, photos, phenotype, (front, side), params, log, tick)
     apart = height_disagreement_m(model, shaped.relief, shaped.side, face_points, shaped.jaws_rad)
     if apart is not None and mm_from_m(apart) > APART_MM:  # the profile was laid on something else
-        log = Log()
+        log = FitLog()
         shaped = shape_head(model, photos, phenotype, (front, None), params, log, tick)
     fitted, side, moved = shaped.relief, shaped.side, shaped.moved
     warn_missing(front, side, proposals, log)
@@ -93,16 +93,16 @@ def run(
     tick(0.8)
     masks = _masks(fitted, front, proposals)
     skull, factors = fit_skull(model, fitted.head_m, controls, masks)
-    fitted = Fitted(skull, fitted.front, fitted.side)
+    fitted = FittedHead(skull, fitted.front, fitted.side)
     if masks:
         log.residuals.append(Residual("skull height under the hair", 100.0 * (factors[0] - 1.0), "percent"))
     scale = head_scale(model, fitted, shaped.jaws_rad[FRONT], front, proposals, phenotype, params)
     pivot = model.joints_m[model.generic.joint("skullbase")]
-    fitted = scaled(fitted, scale, pivot)
+    fitted = scaled_about(fitted, scale, pivot)
     jaws = shaped.jaws_rad
-    whole = seat_parts(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals))
+    whole = place_eyes_and_mouth(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals))
     head = whole[model.generic.head_vertices]
-    fitted = Fitted(head, fitted.front, fitted.side)
+    fitted = FittedHead(head, fitted.front, fitted.side)
     log.residuals.append(Residual("head size against the phenotype", 100.0 * (scale - 1.0), "percent"))
     log.residuals.append(Residual("relief", mm_from_m(float(np.linalg.norm(moved, axis=1).mean())), "mm"))
     report_front(model, fitted, front, face_points, jaws, log)
@@ -118,8 +118,15 @@ def run(
     return StageResult({"head": value}, tuple(log.residuals), tuple(log.warnings))
 
 
-def shape_head(model: Model, photos: PhotoSet, phenotype: Phenotype, evidence: tuple[Front | None, Side | None],
-               params: Params, log: Log, tick: Callable[[float], None]) -> Shaped:  # fmt: skip
+def shape_head(
+    model: HeadModel,
+    photos: PhotoSet,
+    phenotype: Phenotype,
+    evidence: tuple[FrontEvidence | None, SideEvidence | None],
+    params: Params,
+    log: FitLog,
+    tick: Callable[[float], None],
+) -> Shaped:
     """Return the head's shape, step by step, in the phenotype's own size."""
     front, side = evidence
     sizes = _sizes(photos, phenotype, front, side, params, log)
@@ -132,36 +139,51 @@ def shape_head(model: Model, photos: PhotoSet, phenotype: Phenotype, evidence: t
     return Shaped(fitted, relief, moved, side, model.jaws_rad(coefficients))
 
 
-def _unknown(photos: PhotoSet, front: Front) -> bool:
+def _unknown(photos: PhotoSet, front: FrontEvidence) -> bool:
     """Return whether nothing tells the focal length of the front photo."""
     return front.view is ViewId.FACE_FRONT and not photos.photos[front.view].focal_35mm
 
 
-def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, tuple[int, int, float]],
-         params: Params, tick: Callable[[float], None], zoom_sigma: float) -> tuple[Array, Fitted]:  # fmt: skip
+def _fit(
+    model: HeadModel,
+    front: FrontEvidence | None,
+    side: SideEvidence | None,
+    sizes: dict[str, tuple[int, int, float]],
+    params: Params,
+    tick: Callable[[float], None],
+    zoom_sigma: float,
+) -> tuple[Array, FittedHead]:
     """Return coefficients and head: the front photo first, then both together.
 
     With ``zoom_sigma`` the focal lengths are unknown: they start where the face is as far away as people stand.
     """
-    first = None if front is None else start_front(model, front, sizes["front"], params)
+    first = None if front is None else initial_front_camera(model, front, sizes["front"], params)
     if front is not None and first is not None and zoom_sigma > 0.0:
         depth = float(first.to_camera(model.net.places.at(model.vertices_m))[:, 2].mean())
         sizes = {k: (w, h, f * params.distance_m / depth) for k, (w, h, f) in sizes.items()}
-        first = start_front(model, front, sizes["front"], params)
-    coefficients, fitted, _ = fit_basis(model, front, None, (first, None), params)
+        first = initial_front_camera(model, front, sizes["front"], params)
+    coefficients, fitted, _ = fit_head(model, front, None, (first, None), params)
     tick(0.3)
     if side is None:
         return coefficients, fitted
     tried = [
-        fit_basis(model, front, side, (fitted.front, beside), params, coefficients, zoom_sigma=zoom_sigma)
-        for beside in start_side(model, fitted.head_m, side, sizes["side"])
+        fit_head(model, front, side, (fitted.front, beside), params, coefficients, zoom_sigma=zoom_sigma)
+        for beside in initial_side_cameras(model, fitted.head_m, side, sizes["side"])
     ]
     coefficients, fitted, _ = min(tried, key=lambda t: t[2])
     return coefficients, fitted
 
 
-def _look_aside(model: Model, photos: PhotoSet, front: Front, side: Side, coefficients: Array, fitted: Fitted,
-                zoom_sigma: float, params: Params) -> tuple[Array, Fitted, Side]:  # fmt: skip
+def _look_aside(
+    model: HeadModel,
+    photos: PhotoSet,
+    front: FrontEvidence,
+    side: SideEvidence,
+    coefficients: Array,
+    fitted: FittedHead,
+    zoom_sigma: float,
+    params: Params,
+) -> tuple[Array, FittedHead, SideEvidence]:
     """Return the fit after looking up in the side photo what the front photo shows, and that evidence."""
     pictures = (photos.photos[ViewId.FACE_FRONT].rgb, photos.photos[ViewId.FACE_SIDE].rgb)
     for _ in range(params.looks):
@@ -169,15 +191,17 @@ def _look_aside(model: Model, photos: PhotoSet, front: Front, side: Side, coeffi
             break
         cameras, shown = (fitted.front, fitted.side), 1 if side.facing > 0 else 0
         wholes = model.whole_in_photo(FRONT, coefficients), model.whole_in_photo(SIDE, coefficients)
-        flank = find_flank(model.generic, wholes, cameras, pictures, side=shown)
+        flank = match_front_to_side(model.generic, wholes, cameras, pictures, side=shown)
         side = replace(side, flank=flank)
-        coefficients, fitted, _ = fit_basis(
+        coefficients, fitted, _ = fit_head(
             model, front, side, cameras, params, coefficients, zoom_sigma=zoom_sigma, iterations=LOOK_TURNS
         )
     return coefficients, fitted, side
 
 
-def _masks(fitted: Fitted, front: Front | None, proposals: Proposals) -> list[tuple[Camera, NDArray[np.uint8]]]:
+def _masks(
+    fitted: FittedHead, front: FrontEvidence | None, proposals: Proposals
+) -> list[tuple[Camera, NDArray[np.uint8]]]:
     """Return the cameras and masks of the face photos."""
     out = []
     if fitted.front is not None and front is not None and front.view is ViewId.FACE_FRONT:
@@ -187,8 +211,14 @@ def _masks(fitted: Fitted, front: Front | None, proposals: Proposals) -> list[tu
     return out
 
 
-def _sizes(photos: PhotoSet, phenotype: Phenotype, front: Front | None, side: Side | None, params: Params, log: Log
-           ) -> dict[str, tuple[int, int, float]]:  # fmt: skip
+def _sizes(
+    photos: PhotoSet,
+    phenotype: Phenotype,
+    front: FrontEvidence | None,
+    side: SideEvidence | None,
+    params: Params,
+    log: FitLog,
+) -> dict[str, tuple[int, int, float]]:
     """Return width, height and focal length of the photos used."""
     out: dict[str, tuple[int, int, float]] = {}
     for key, view in (("front", None if front is None else front.view), ("side", ViewId.FACE_SIDE if side else None)):
@@ -201,8 +231,9 @@ def _sizes(photos: PhotoSet, phenotype: Phenotype, front: Front | None, side: Si
     return out
 
 
-def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | None, phenotype: Phenotype
-             ) -> dict[ViewId, Camera]:  # fmt: skip
+def _cameras(
+    model: HeadModel, fitted: FittedHead, front: FrontEvidence | None, side: SideEvidence | None, phenotype: Phenotype
+) -> dict[ViewId, Camera]:
     out: dict[ViewId, Camera] = {}
     body = body_camera(model, phenotype)
     if body is not None:
@@ -214,15 +245,17 @@ def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | Non
     return out
 
 
-def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> Sight | None:
+def _sight(fitted: FittedHead, front: FrontEvidence | None, proposals: Proposals) -> EyeObservation | None:
     """Return what the front photo of the face shows of the eyes."""
     if front is None or fitted.front is None or front.view is not ViewId.FACE_FRONT:
         return None
     proposal = proposals.views[front.view]
-    return Sight(fitted.front, proposal.irises_px)
+    return EyeObservation(fitted.front, proposal.irises_px)
 
 
-def _iris(photos: PhotoSet, proposals: Proposals, model: Model, fitted: Fitted, front: Front | None) -> Array:
+def _iris(
+    photos: PhotoSet, proposals: Proposals, model: HeadModel, fitted: FittedHead, front: FrontEvidence | None
+) -> Array:
     """Return the iris colour of the front photo, or brown."""
     if front is None or fitted.front is None:
         return BROWN

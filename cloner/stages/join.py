@@ -14,10 +14,10 @@ from typing import Final
 
 import numpy as np
 
-from cloner.body.carriage import carry_heads
-from cloner.body.carriage_looks import look_up
-from cloner.body.carriage_sight import NECK
-from cloner.body.outlined import Outlined, masked_field, outlined_photos
+from cloner.body.head_pose import fit_head_poses
+from cloner.body.head_pose_evidence import NECK
+from cloner.body.head_pose_matches import match_face_skin
+from cloner.body.outlined import OutlinedPhoto, mask_outline_field, outlined_photos
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.easing import smoothstep
@@ -27,7 +27,7 @@ from cloner.generic.features import named_features
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.toes import evened_tips
 from cloner.hair.volumes.agreement import hair_fields
-from cloner.head.jaw import jaw_in, jaw_rotations, opened
+from cloner.head.jaw import jaw_opening_rad, jaw_rotations, with_open_jaw
 from cloner.head.modes import load_head_modes
 from cloner.head.targets import face_targets
 from cloner.records.arrays import Array
@@ -99,9 +99,9 @@ def to_stature(generic: GenericHuman, mesh: BodyMesh, stature_m: float) -> tuple
     return BodyMesh(vertices, joints), lift
 
 
-def slim_neck(mesh: BodyMesh, photos: dict[ViewId, Outlined], poses: dict[ViewId, PosedView]) -> Array:
+def slim_neck(mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto], poses: dict[ViewId, PosedView]) -> Array:
     """Return the vertices with the neck on the photos' outlines: body and head bring no neck of the person's own."""
-    carried_photos = tuple(Outlined(poses[view], photo.field) for view, photo in photos.items())
+    carried_photos = tuple(OutlinedPhoto(poses[view], photo.field) for view, photo in photos.items())
     if not carried_photos:
         return mesh.vertices_m
     for reach_mm in NECK_REACH_MM:
@@ -116,26 +116,26 @@ def lifted(camera: Camera, up_m: float) -> Camera:
     return replace(camera, camera_from_model=matrix)
 
 
-def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[ViewId, Outlined]:
+def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[ViewId, OutlinedPhoto]:
     """Return the face photos prepared for comparison with the lifted head."""
     photos = {}
     for view, camera in head.cameras.items():
         if view.is_face and view in proposals.views:
             rotations = jaw_rotations(load_generic(), head.jaws_rad.get(view, 0.0))
             posed = PosedView(view, lifted(camera, risen_m), rotations)
-            photos[view] = Outlined(posed, masked_field(proposals.views[view]))
+            photos[view] = OutlinedPhoto(posed, mask_outline_field(proposals.views[view]))
     return photos
 
 
-def face_errors_m(mesh: BodyMesh, near: Mapping[ViewId, Outlined], proposals: Proposals) -> Array:
+def face_errors_m(mesh: BodyMesh, near: Mapping[ViewId, OutlinedPhoto], proposals: Proposals) -> Array:
     """Return what the face net makes of this person (468, 2), metres, as the front photo of the face shows it."""
     modes, view = load_head_modes(), ViewId.FACE_FRONT
     if view not in near or proposals.views[view].face_presence <= 0.0:
         return modes.bias_m
     generic, posed = load_generic(), near[view].posed
-    shown = opened(generic, mesh.vertices_m, mesh.joints_m, jaw_in(generic, posed.rotations))
+    shown = with_open_jaw(generic, mesh.vertices_m, mesh.joints_m, jaw_opening_rad(generic, posed.rotations))
     places = load_face_net().places.at(shown)
-    return modes.own_errors_m(proposals.views[view].face_px, places, posed.camera)
+    return modes.frontal_errors_m(proposals.views[view].face_px, places, posed.camera)
 
 
 def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Array:
@@ -175,14 +175,14 @@ def run(
     faces = {view: proposals.views[view].face_px for view in outlined if proposals.views[view].face_presence > 0.0}
     near = near_photos(head, proposals, risen)
     lines = hair_fields(proposals, silhouettes, {**outlined, **near})
-    poses = carry_heads(
+    poses = fit_head_poses(
         mesh,
         {**outlined, **near},
         seen,
         faces,
         face_errors_m(mesh, near, proposals),
         lines,
-        partial(look_up, mesh, photos),
+        partial(match_face_skin, mesh, photos),
     )
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = slim_neck(mesh, outlined, poses) + lift, mesh.joints_m + lift

@@ -11,12 +11,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cloner.body.evidence import Evidence, Params, gather_evidence
+from cloner.body.evidence import Params, PhotoEvidence, gather_evidence
 from cloner.body.footwear import FOOTWEAR, SHOES, sole_height
 from cloner.body.hair_height import hair_height_mm
-from cloner.body.model import WORN, Family, family
-from cloner.body.portrait import of_sex, portrait_shape
-from cloner.body.solve import State, outline_term, solve
+from cloner.body.model import WORN, BodyFamily, body_family
+from cloner.body.portrait import nearest_of_sex, portrait_shape
+from cloner.body.solve import BodyState, outline_term, solve
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.arrays import Array
@@ -29,7 +29,7 @@ from cloner.records.views import ViewSet
 from cloner.stages.points import for_fitting
 
 
-def beyond_ends(body: Family, state: State, evidence: dict[ViewId, Evidence]) -> dict[ViewId, float]:
+def beyond_ends(body: BodyFamily, state: BodyState, evidence: dict[ViewId, PhotoEvidence]) -> dict[ViewId, float]:
     """Return per photo how far the outline's top lies above the skull, metres."""
     top = body.points(np.array([body.generic.feature("head_top")]))
     reach = {}
@@ -59,11 +59,11 @@ def run(
         for view, seen in views.views.items()
     }
     if not evidence:
-        guess = of_sex(generic, portrait_shape(generic, proposals), person.sex)
+        guess = nearest_of_sex(generic, portrait_shape(generic, proposals), person.sex)
         value = Phenotype(guess, person.stature_m, SHOES.sole_m[0], {}, _attributes(generic, guess))
         return StageResult({"phenotype": value})
     barefoot = bool(np.mean([seen.barefoot for seen in evidence.values()]) > 0.5)
-    body = family(generic, person.stature_m, barefoot=barefoot, shapes=max(params.shapes))
+    body = body_family(generic, person.stature_m, barefoot=barefoot, shapes=max(params.shapes))
     state = solve(body, evidence, params, tick)
     posed, residuals = {}, []
     for view, seen in evidence.items():

@@ -16,7 +16,15 @@ from typing import Final
 import numpy as np
 
 from cloner.body.clothes import clothed_body
-from cloner.body.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined_photos, see, slice_pairs, views_of
+from cloner.body.outlined import (
+    GRID_SEGMENTS,
+    OutlinedPhoto,
+    mean_outline_distance_mm,
+    outlined_photos,
+    paper_body_views,
+    posed_silhouette,
+    slice_pairs,
+)
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -88,7 +96,7 @@ def _part_map(points_m: Array, old: Array, new: Array) -> Array:
 
 
 def shape_slices(
-    mesh: BodyMesh, photos: tuple[Outlined, ...], levels: Array, reach_mm: float, smooth: float
+    mesh: BodyMesh, photos: tuple[OutlinedPhoto, ...], levels: Array, reach_mm: float, smooth: float
 ) -> BodyMesh:
     """Return the body after its slices were moved by T_i,m of every photo.
 
@@ -100,7 +108,7 @@ def shape_slices(
     sides = {photo.view is ViewId.BODY_SIDE for photo in photos}
     vertices = mesh.vertices_m.copy()
     for photo in photos:
-        seen = see(BodyMesh(vertices, mesh.joints_m), photo)
+        seen = posed_silhouette(BodyMesh(vertices, mesh.joints_m), photo)
         shift = np.zeros_like(vertices)
         for name in GRID_SEGMENTS:
             if photo.view is ViewId.BODY_SIDE and name.endswith("arm"):
@@ -137,8 +145,13 @@ def run(
     )
     for number, (main, skeleton) in enumerate(chosen):
         followed = BodyMesh(follow_joints(vertices, joints, skeleton.joints_m), skeleton.joints_m)
-        bodies.append(shape_slices(followed, views_of(photos, main), np.array(params.end_levels), params.reach_mm, 0.0))
+        bodies.append(
+            shape_slices(followed, paper_body_views(photos, main), np.array(params.end_levels), params.reach_mm, 0.0)
+        )
         tick((number + 1) / 2)
     mean = BodyMesh((bodies[0].vertices_m + bodies[1].vertices_m) / 2, skeletons.consensus.joints_m)
-    residuals = tuple(Residual("outline gap", gap_mm(mean, photo), "mm", view.value) for view, photo in photos.items())
+    residuals = tuple(
+        Residual("outline gap", mean_outline_distance_mm(mean, photo), "mm", view.value)
+        for view, photo in photos.items()
+    )
     return StageResult({"rough_bodies": BodySet(bodies[0], bodies[1], mean)}, residuals)

@@ -17,7 +17,14 @@ from typing import Final
 import numpy as np
 
 from cloner.body.clothes import clothed_body
-from cloner.body.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
+from cloner.body.outlined import (
+    OutlinedPhoto,
+    PosedSilhouette,
+    outlined_photos,
+    paper_body_views,
+    posed_silhouette,
+    slice_pairs,
+)
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
@@ -51,7 +58,9 @@ KEY_JOINTS = {
 }
 
 
-def key_shift(photos: tuple[tuple[Outlined, Seen], ...], side: str, joint: str, params: Params) -> Array:
+def key_shift(
+    photos: tuple[tuple[OutlinedPhoto, PosedSilhouette], ...], side: str, joint: str, params: Params
+) -> Array:
     """Return the (3,) rest-pose motion of one key joint towards the middle of the limb's outline, metres."""
     shifts = []
     for photo, seen in photos:
@@ -90,8 +99,8 @@ def run(
     made = {}
     for number, main in enumerate((ViewId.BODY_FRONT, ViewId.BODY_BACK)):
         pair = tuple(
-            (photo, see(mesh, photo))
-            for photo in views_of(photos, main)
+            (photo, posed_silhouette(mesh, photo))
+            for photo in paper_body_views(photos, main)
             if photo.view is not ViewId.BODY_SIDE and not len(proposals.views[photo.view].seen_px)
         )
         shifts = {

@@ -19,7 +19,7 @@ from cloner.exporters.shared.obj_files import read_obj, write_obj
 from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
-from cloner.head.parts import seat_parts
+from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
 from cloner.making import check_texture_size
 from cloner.picture import clone_of
@@ -66,7 +66,7 @@ def photographed(clone: Clone, fitted: PhotoFit) -> Clone:
     Lids are laid on the eyeballs and lips meet again, so that the face can move: markers there give by what that takes.
     """
     generic = load_generic()
-    vertices = seat_parts(clone.vertices_m, fitted.fit.vertices_m, None)
+    vertices = place_eyes_and_mouth(clone.vertices_m, fitted.fit.vertices_m, None)
     skin = np.flatnonzero(generic.skin)
     shift = (vertices - clone.vertices_m)[skin]
     names, index, delta, start = face_targets(vertices)

@@ -24,7 +24,7 @@ from cloner.detectors.nets import litert
 from cloner.detectors.table import DETECTORS
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.alignment import similarity
-from cloner.head.modes import bent_shapes, head_shapes, turned_from
+from cloner.head.modes import bent_shapes, head_shapes, nod_and_turn
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -172,7 +172,7 @@ def calibrate(samples: list[Sample]) -> dict[str, NDArray[np.generic]]:
         whole[generic.head_vertices] = sample.head_m
         metres = scale * sample.camera.metres_per_pixel(whole[nasion])
         found.append(coefficients)
-        turns.append(turned_from(rest_camera(sample.camera, rotation)))
+        turns.append(nod_and_turn(rest_camera(sample.camera, rotation)))
         errors.append((sample.points_px - sample.camera.project(places.at(whole))) * metres)
     twin = np.linalg.norm((mean * [-1.0, 1.0, 1.0])[:, None] - mean[None], axis=2).argmin(axis=1)
     mirrored = np.stack(errors)[:, twin] * [-1.0, 1.0]

@@ -21,7 +21,7 @@ from scan_heads import laid_generic, outer_skin, read_family, twin_vertices
 
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.alignment import similarity
-from cloner.head.modes import family_parameters, parameter_fields
+from cloner.head.modes import family_parameters, parameter_displacements
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_shapes.npz"
@@ -53,7 +53,7 @@ def laid_skin() -> Skin:
     head = generic.head_vertices
     rows = np.flatnonzero(outer_skin(generic)[head])
     face = generic.region("face")[head][rows]
-    return Skin(rows, np.where(face, 1.0, BESIDE), face, parameter_fields()[:, rows])
+    return Skin(rows, np.where(face, 1.0, BESIDE), face, parameter_displacements()[:, rows])
 
 
 def parameters_of(skin: Skin, heads_m: Array) -> Array:

@@ -28,7 +28,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.outlines.rims import vertex_normals
-from cloner.head.ears import ear_fields
+from cloner.head.ears import ear_modes
 from cloner.head.modes import bent_shapes
 from cloner.records.views import Camera
 
@@ -88,7 +88,7 @@ def random_head(rng: np.random.Generator) -> Array:
     mean, basis = bent_shapes()
     rows = generic.head_vertices
     vertices[rows] += mean + np.tensordot(0.8 * rng.normal(size=len(basis)), basis, axes=1)
-    fields = ear_fields(generic)
+    fields = ear_modes(generic)
     vertices[rows] += np.tensordot(EAR_VARIETY * rng.normal(size=len(fields)), fields, axes=1)
     bent = np.stack([waves(vertices[rows], EAR_WAVES_M, 12, rng) for _ in range(3)], axis=1)
     share = (generic.region("ear_left") | generic.region("ear_right"))[rows]

@@ -18,7 +18,7 @@ from cloner.frames import ViewId
 from cloner.generic.face_grids import eye_grid, eyeball
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.alignment import similarity
-from cloner.head.ears import ear_fields
+from cloner.head.ears import ear_modes
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype
 from cloner.records.photos import Photo, PhotoSet
@@ -136,7 +136,7 @@ def test_ears_go_where_both_photos_show_them():
     generic = load_generic()
     names = ("ear_top", "ear_lobe", "ear_outer")
     both, near = tuple(f"{n}_{s}" for n in names for s in "LR"), tuple(f"{n}_R" for n in names)
-    true, fields = true_person(8), ear_fields(generic)
+    true, fields = true_person(8), ear_modes(generic)
     true[generic.head_vertices] += 3.0 * fields[1] - 3.0 * fields[2] + 2.0 * fields[4]
     rows = [int(np.flatnonzero(generic.head_vertices == generic.feature(name))[0]) for name in both]
     face = generic.region("face")[generic.head_vertices]

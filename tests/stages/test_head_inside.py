@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.head.inside import read_inside_front
+from cloner.head.nose import nose_observations
 from cloner.records.points import Proposal, ViewPoints
 from kit.visitors import photo, truth_mask, visitor_folder
 
@@ -31,7 +31,7 @@ def seen():
 
 def test_both_halves_of_the_nose_are_told(seen):
     picture, proposal, named, iod = seen
-    groups = read_inside_front(picture, proposal, named)
+    groups = nose_observations(picture, proposal, named)
     assert len(groups) == 2
     for group in groups:
         covariance = np.linalg.inv(group.whiten.T @ group.whiten)
@@ -43,17 +43,17 @@ def test_both_halves_of_the_nose_are_told(seen):
 def test_without_named_points_nothing_is_told(seen):
     picture, proposal, named, _ = seen
     few = ViewPoints(named.view, NAMES[:2], named.points_px[:2], named.confidence[:2], named.corrected[:2])
-    assert read_inside_front(picture, proposal, few) == ()
+    assert nose_observations(picture, proposal, few) == ()
 
 
 def test_a_corrected_wing_takes_its_neighbours_along_and_makes_them_surer(seen):
     picture, proposal, named, iod = seen
     row = NAMES.index("ala_L")
-    before = read_inside_front(picture, proposal, named)[0]
+    before = nose_observations(picture, proposal, named)[0]
     moved = np.array(named.points_px)
     moved[row] = before.points_px[0] + [0.03 * iod, 0.0]
     corrected = np.arange(len(NAMES)) == row
-    after = read_inside_front(picture, proposal, replace(named, points_px=moved, corrected=corrected))[0]
+    after = nose_observations(picture, proposal, replace(named, points_px=moved, corrected=corrected))[0]
     assert after.points_px[0] == pytest.approx(moved[row], abs=0.005 * iod)
     wing = after.points_px[3:6, 0] - before.points_px[3:6, 0]
     assert (wing > 0.005 * iod).all()

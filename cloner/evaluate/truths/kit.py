@@ -21,8 +21,8 @@ from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthView, read_json, truth_camera, vectors
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
-from cloner.head.flank import vertex_of
 from cloner.head.jaw import JOINT as JAW
+from cloner.head.skin_matches import named_vertex
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.vision.photographs.pictures import read_picture
@@ -170,7 +170,7 @@ def _read_view(person: Path, view: str, ours: str, data: Mapping[str, Any], labe
 def _with_shut_mouth(body_m: Array, bodies: Mapping[str, Array]) -> Array:
     """Return a naked body (V, 3) with the jaw of the pose in which the lips lie nearest, laid there by the skull."""
     generic = load_generic()
-    upper, lower = (vertex_of(generic, name) for name in _LIPS)
+    upper, lower = (named_vertex(generic, name) for name in _LIPS)
     shut = min(bodies.values(), key=lambda body: float(np.linalg.norm(body[upper] - body[lower])))
     skull, jaw = generic.region("scalp")[: len(body_m)], generic.carried_by(JAW)[: len(body_m)] > 0.0
     laid = apply(fit_similarity(shut[skull], body_m[skull], scale=False), shut)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.body.carriage_sight import placed
+from cloner.body.head_pose_evidence import posed_vertices
 from cloner.fit.evidence import Residuals
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
@@ -116,7 +116,7 @@ def read_line(
 
     def read(now: Array) -> tuple[Array, Array, Array]:
         posed = turned(now)
-        places, transforms = placed(mesh, rows, posed)
+        places, transforms = posed_vertices(mesh, rows, posed)
         pixels = posed.camera.project(places)
         away = sample(field.line_px, (pixels + 0.5) / field.reduction - 0.5)[:, 0].astype(np.float64) * scale
         towards = posed.camera.position_m - places

@@ -33,12 +33,12 @@ def foot(side="left"):
 
 
 def test_a_naked_foot_of_size_one_stays(body):
-    np.testing.assert_allclose(feet.sized_feet(body, NAKED, 0.0), body.vertices_m, atol=1e-12)
+    np.testing.assert_allclose(feet.scale_feet(body, NAKED, 0.0), body.vertices_m, atol=1e-12)
 
 
 def test_length_and_width_scale_about_the_ankle(body):
     generic = load_generic()
-    moved = feet.sized_feet(body, np.array([1.2, 1.1, 1.0, 0.005]), 0.0)
+    moved = feet.scale_feet(body, np.array([1.2, 1.1, 1.0, 0.005]), 0.0)
     ankle = body.joints_m[generic.joint("l_ankle")]
     own = foot()
     assert moved[own, 0] - ankle[0] == pytest.approx(1.2 * (body.vertices_m[own, 0] - ankle[0]), abs=1e-6)
@@ -48,13 +48,13 @@ def test_length_and_width_scale_about_the_ankle(body):
 
 
 def test_the_foot_reaches_down_to_the_sole(body):
-    moved = feet.sized_feet(body, NAKED, SOLE_M)
+    moved = feet.scale_feet(body, NAKED, SOLE_M)
     lowest = body.vertices_m[foot(), 1].min()
     assert moved[:, 1].min() == pytest.approx(lowest - SOLE_M, abs=0.002)
 
 
 def test_closed_toes_leave_no_gap_between_them(body):
-    closed = feet.closed_toes(body).vertices_m
+    closed = feet.close_toes(body).vertices_m
     changed = np.flatnonzero(np.abs(closed - body.vertices_m).max(axis=1) > 1e-9)
     generic = load_generic()
     assert set(generic.segment_names[row] for row in np.unique(generic.vertex_segment[changed])) <= {
@@ -76,15 +76,15 @@ def test_closed_toes_do_not_fold(seed):
     person = people.known_person(seed)
     naked = BodyMesh(person.vertices_m, person.joints_m)
     triangles = load_triangles()[np.isin(load_triangles(), foot()).all(axis=1)]
-    shod = feet.sized_feet(feet.flat_soled(feet.closed_toes(naked)), np.array(feet.Params().shod), SOLE_M)
+    shod = feet.scale_feet(feet.flatten_soles(feet.close_toes(naked)), np.array(feet.Params().shod), SOLE_M)
     assert len(self_crossings(shod, triangles).pairs) <= 4, "a thousand when toes are pushed straight outwards"
     assert areas(shod, triangles).min() > 2e-8, "square metres; the least of a naked foot's are 6e-8"
     toe = load_generic().feature("toe_left")
-    assert np.linalg.norm(shod[toe] - feet.sized_feet(naked, np.array(feet.Params().shod), SOLE_M)[toe]) < 0.025
+    assert np.linalg.norm(shod[toe] - feet.scale_feet(naked, np.array(feet.Params().shod), SOLE_M)[toe]) < 0.025
 
 
 def test_a_shoes_sole_is_flat_and_the_instep_stays(body):
-    flat = feet.flat_soled(body).vertices_m
+    flat = feet.flatten_soles(body).vertices_m
     generic = load_generic()
     sole = generic.region("sole")
     for side in ("left", "right"):
@@ -115,11 +115,11 @@ def extent(vertices_m, axis):
 
 
 def test_a_large_shoe_is_found_from_its_outlines(body):
-    true = feet.sized_feet(feet.closed_toes(body), np.array([1.2, 1.14, 1.3, 0.0]), SOLE_M)
+    true = feet.scale_feet(feet.close_toes(body), np.array([1.2, 1.14, 1.3, 0.0]), SOLE_M)
     found = extremities(body, photographed(body, true, SOLE_M), SOLE_M, {})[0].vertices_m
     assert extent(found, 2) == pytest.approx(extent(true, 2), abs=4.0)
     assert extent(found, 0) == pytest.approx(extent(true, 0), abs=4.0)
-    usual = feet.sized_feet(feet.closed_toes(body), np.array(feet.Params().shod), SOLE_M)
+    usual = feet.scale_feet(feet.close_toes(body), np.array(feet.Params().shod), SOLE_M)
     assert abs(extent(found, 2) - extent(true, 2)) < 0.5 * abs(extent(usual, 2) - extent(true, 2))
 
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cloner.body.hair_height import BALD_SPREAD_MM, CHIN, EYES, SPREAD_MM, USUAL_MM, above_the_eyes, hair_height_mm
+from cloner.body.hair_height import BALD_SPREAD_MM, CHIN, EYES, SPREAD_MM, USUAL_MM, hair_height_mm, height_above_eyes
 from cloner.frames import ViewId
 from cloner.records.labels import Label
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
@@ -28,7 +28,7 @@ def proposals(points, presence=1.0):
 
 
 def test_the_top_is_measured_from_the_eyes_in_lengths_to_the_chin():
-    assert above_the_eyes(face(100.0, 120.0), 70.0) == pytest.approx(1.5)
+    assert height_above_eyes(face(100.0, 120.0), 70.0) == pytest.approx(1.5)
 
 
 def test_a_higher_top_above_the_same_face_is_higher_hair():

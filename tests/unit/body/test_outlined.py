@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.body.outlined import coverage, gaps_mm, outlined_photos, see
+from cloner.body.outlined import outline_distances_mm, outlined_photos, posed_silhouette, silhouette_iou
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
@@ -27,10 +27,10 @@ def case():
 
 def test_a_true_body_lies_on_its_outline(case):
     body, photo = case
-    seen = see(body, photo)
-    gaps = gaps_mm(seen, photo)
+    seen = posed_silhouette(body, photo)
+    gaps = outline_distances_mm(seen, photo)
     assert max(gaps.values()) < 2.5, gaps  # a cell of the distance field is 3 mm
-    assert coverage(seen, photo) > 0.98
+    assert silhouette_iou(seen, photo) > 0.98
     assert {"", "torso", "upper_arm", "calf", "hand", "foot"} <= set(gaps)
 
 
@@ -39,8 +39,8 @@ def test_a_displaced_part_is_named_with_its_distance(case):
     generic = load_generic()
     calves = [generic.segment_names.index(f"{side}_calf") for side in ("left", "right")]
     aside = generic.segment_weights[:, calves].sum(axis=1)[:, None] * np.array([0.012, 0.0, 0.0])
-    before = gaps_mm(see(body, photo), photo)
-    after = gaps_mm(see(BodyMesh(body.vertices_m + aside, body.joints_m), photo), photo)
+    before = outline_distances_mm(posed_silhouette(body, photo), photo)
+    after = outline_distances_mm(posed_silhouette(BodyMesh(body.vertices_m + aside, body.joints_m), photo), photo)
     assert after["calf"] - before["calf"] == pytest.approx(11.0, abs=2.5)
     for part in ("torso", "upper_arm", "forearm", "hand"):
         assert after[part] == pytest.approx(before[part], abs=0.3), part

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.body.portrait import Params, of_sex, portrait_shape
+from cloner.body.portrait import Params, nearest_of_sex, portrait_shape
 from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -68,11 +68,11 @@ def test_a_told_sex_decides_and_changes_no_more_than_it_must():
     generic = load_generic()
     guess = portrait_shape(generic, portrait(1.8 * direction_of_sex(), noise_px=1.0))
     for told, number in (("f", 0.0), ("m", 1.0)):
-        told_shape = of_sex(generic, guess, told)
+        told_shape = nearest_of_sex(generic, guess, told)
         assert sex(told_shape) == pytest.approx(number)
         moved = told_shape - guess
         assert abs(moved @ direction_of_sex()) == pytest.approx(np.linalg.norm(moved))
-    assert np.array_equal(of_sex(generic, guess, ""), guess)
+    assert np.array_equal(nearest_of_sex(generic, guess, ""), guess)
 
 
 def test_the_mean_face_has_the_mean_build_whatever_the_stature():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.body.tape_fit import taped_body
+from cloner.body.tape_fit import fit_tape_measures
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import girth_planes, read_mm, slice_points
@@ -39,7 +39,7 @@ def test_slim_slices_grow_to_the_tape_and_the_rest_stays(body: BodyMesh) -> None
     wanted = {key: before[key] + more for key, more in tape.items()} | {
         "upper_arm_girth": before["upper_arm_girth"] - 40
     }
-    taped = taped_body(body, wanted, side_seen=True)
+    taped = fit_tape_measures(body, wanted, side_seen=True)
     after = girths(taped)
     for key in tape:
         assert after[key] == pytest.approx(wanted[key], abs=3.0), key
@@ -58,7 +58,7 @@ def test_slim_slices_grow_to_the_tape_and_the_rest_stays(body: BodyMesh) -> None
 def test_seen_outlines_give_way_last(body: BodyMesh, side_seen: bool) -> None:
     before = width_and_depth_mm(body, "navel_girth")
     tape = {"navel_girth": girths(body)["navel_girth"] + (20.0 if side_seen else 40.0)}
-    taped = taped_body(body, tape, side_seen=side_seen)
+    taped = fit_tape_measures(body, tape, side_seen=side_seen)
     assert girths(taped)["navel_girth"] == pytest.approx(tape["navel_girth"], abs=1.5)
     wider, deeper = width_and_depth_mm(taped, "navel_girth") - before
     assert abs(wider) < 3.0, "every photo from the front shows the width"
@@ -72,4 +72,4 @@ def test_tapes_below_the_outline_and_lengths_change_nothing(body: BodyMesh) -> N
     before = girths(body)
     loose = {"hip_girth": before["hip_girth"] - 60.0, "inside_leg_height": 900.0, "arm_length": 700.0}
     for tape in (loose, {}):
-        assert np.array_equal(taped_body(body, tape, side_seen=True).vertices_m, body.vertices_m)
+        assert np.array_equal(fit_tape_measures(body, tape, side_seen=True).vertices_m, body.vertices_m)

@@ -12,7 +12,7 @@ CODE = Path(cloner.__file__).parent
 CALIBRATED = ("body", "detectors", "editing", "head", "labels", "measure")
 #: Fractions that stay beside the code there: of mathematics, of the generic human's mesh, and the steps of searches.
 STAY = {
-    "cascade._GUESSES", "front_features.MEAN_OF_NORMAL", "hairline.ANGLES_DEG", "inside.MEAN_OF_TWO", "lids.OVER_M",
+    "cascade._GUESSES", "front_features.MEAN_OF_NORMAL", "hairline.ANGLES_DEG", "nose.MEAN_OF_TWO", "lids.OVER_M",
     "lids.UNDER_M", "parts.RIM_ANGLE", "placing._NEARBY", "profile.KNOWN_SIZES", "profile.KNOWN_TILTS",
     "profile_search._SIZES", "profile_search._TILTS",
 }  # fmt: skip

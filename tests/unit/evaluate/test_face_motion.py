@@ -11,7 +11,7 @@ from cloner.evaluate.measures import face_motion
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.face_grids import eye_grid, eyeball, mouth_grid
 from cloner.generic.load import load_generic
-from cloner.head.parts import seat_parts
+from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
 from cloner.motion.face.limits import limited
 from kit.scripts import script
@@ -23,7 +23,7 @@ def random_person(seed: int) -> np.ndarray:
     """A random person of the head benchmark, every second one bent out of the family, as the head stage seats it."""
     generic = load_generic()
     person, stature_m = script("head_people").random_face(generic, np.random.default_rng(seed), bent=bool(seed % 2))
-    return seat_parts(generic.shape(np.zeros(1), stature_m)[0], person, None)
+    return place_eyes_and_mouth(generic.shape(np.zeros(1), stature_m)[0], person, None)
 
 
 @pytest.fixture(scope="module", params=SEEDS)

@@ -19,7 +19,7 @@ from cloner.evaluate.truths.labels import label_ious
 from cloner.evaluate.truths.truth import truth_camera
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.head.jaw import opened
+from cloner.head.jaw import with_open_jaw
 from cloner.records.labels import LABELS
 from kit import studio
 
@@ -56,7 +56,9 @@ def write_person(folder, jaw_rad=0.0):
     open.
     """
     generic, body_m, triangles = seen_body()
-    open_m = opened(generic, generic.vertices_m.astype(float), generic.joints_m.astype(float), jaw_rad)[: len(body_m)]
+    open_m = with_open_jaw(generic, generic.vertices_m.astype(float), generic.joints_m.astype(float), jaw_rad)[
+        : len(body_m)
+    ]
     folder.mkdir(parents=True)
     names = ("nose_tip", "crotch", "chin_bottom")
     cameras, points = {}, {name: open_m[generic.feature(name)].tolist() for name in names}

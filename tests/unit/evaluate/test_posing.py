@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.body.hands import sized_hands
+from cloner.body.hands import scale_hands
 from cloner.evaluate.measures.posing import JOINTS, hand_vertices, pose_clone, rotations_towards, truth_from_body
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
@@ -83,7 +83,7 @@ def test_hands_of_a_wrong_length_stay_wrong():
     generic, clone = load_generic(), known_clone(23)
     truth = pose_clone(clone, generic, leaning(0.0))
     joints, marks = true_marks(truth, generic)
-    longer = sized_hands(BodyMesh(clone.vertices_m, clone.joints_m), np.array([1.2, 1.0]))
+    longer = scale_hands(BodyMesh(clone.vertices_m, clone.joints_m), np.array([1.2, 1.0]))
     wrong = replace(clone, vertices_m=longer.vertices_m, joints_m=longer.joints_m)
     posed = pose_clone(wrong, generic, rotations_towards(wrong, generic, joints, marks, leaning(0.0)))
     posed = posed.moved(truth_from_body(posed, generic, joints, marks))

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from scipy.spatial import ConvexHull, cKDTree
 
-from cloner.body.feet import closed_toes
+from cloner.body.feet import close_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles, surface_normals
 from cloner.generic.toes import evened_tips
@@ -22,7 +22,7 @@ def _toes() -> np.ndarray:
 
 def _shod() -> np.ndarray:
     generic = load_generic()
-    return closed_toes(BodyMesh(generic.vertices_m.astype(float), generic.joints_m.astype(float))).vertices_m
+    return close_toes(BodyMesh(generic.vertices_m.astype(float), generic.joints_m.astype(float))).vertices_m
 
 
 def _unlike(points: np.ndarray, normals: np.ndarray) -> float:

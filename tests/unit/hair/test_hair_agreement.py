@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.body import carriage
-from cloner.body.carriage_sight import NECK, SKULL
-from cloner.body.outlined import Outlined, masked_field
+from cloner.body import head_pose
+from cloner.body.head_pose_evidence import NECK, SKULL
+from cloner.body.outlined import OutlinedPhoto, mask_outline_field
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.outlines.rims import vertex_normals
@@ -41,7 +41,7 @@ def photographed(person, true, believed):
         labels = painted_hair(person, rotations, camera, mask)
         proposals[view] = replace(studio.empty_proposal(view, mask), labels=labels)
         outlines[view] = studio.silhouette_record(view, mask)
-        photos[view] = Outlined(PosedView(view, camera, believed), masked_field(proposals[view]))
+        photos[view] = OutlinedPhoto(PosedView(view, camera, believed), mask_outline_field(proposals[view]))
     return photos, hair_agreement.hair_fields(Proposals(proposals), SilhouetteSet(outlines), photos)
 
 
@@ -60,7 +60,7 @@ def test_hairlines_tell_the_turn_of_a_head_seen_from_aside(turned_deg):
     photos, lines = photographed(person, true, believed)
     silent = {view: ViewPoints(view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, bool)) for view in photos}
     mesh, no_errors = BodyMesh(person.vertices_m, person.joints_m), np.zeros((468, 2))
-    found = carriage.carry_heads(mesh, photos, silent, {}, no_errors, lines, lambda poses: {})
+    found = head_pose.fit_head_poses(mesh, photos, silent, {}, no_errors, lines, lambda poses: {})
     lack = abs(yaw_deg(found[SIDE].rotations) - yaw_deg(true[SIDE]))
     # a head's usual turn is 4 degrees: the prior keeps some of two such spreads back
     assert lack < 0.5 * abs(turned_deg), f"{lack:.1f} degrees are missing"

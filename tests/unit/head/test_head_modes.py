@@ -6,7 +6,7 @@ import pytest
 from cloner.detectors.face.face_net import load_face_net
 from cloner.fit.cameras import resect
 from cloner.generic.load import load_generic
-from cloner.head.modes import load_head_modes, turned_from
+from cloner.head.modes import load_head_modes, nod_and_turn
 from cloner.records.views import Camera
 
 
@@ -27,8 +27,8 @@ def test_the_net_loses_a_third_of_a_nod(nod_deg):
     places = load_face_net().places.at(load_generic().vertices_m.astype(np.float64))
     added = (modes.seen_errors_m(camera) - modes.seen_errors_m(straight)) / camera.metres_per_pixel(places.mean(axis=0))
     found = resect(places, camera.project(places) + added, camera)
-    assert np.degrees(turned_from(camera)[0]) == pytest.approx(nod_deg, abs=0.01)
-    assert 0.5 < np.degrees(turned_from(found)[0]) / nod_deg < 0.8
+    assert np.degrees(nod_and_turn(camera)[0]) == pytest.approx(nod_deg, abs=0.01)
+    assert 0.5 < np.degrees(nod_and_turn(found)[0]) / nod_deg < 0.8
 
 
 def test_errors_of_a_usual_face_move_it_nowhere():

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cloner.generic.load import load_generic
-from cloner.head.modes import family_parameters, fields_of, head_shapes
+from cloner.head.modes import displacements_of, family_parameters, head_shapes
 
 
 def test_the_neck_base_and_eyeballs_hold_together():
@@ -39,7 +39,7 @@ def test_the_own_family_is_half_of_it():
     """Half of the variance of the generic's own face shapes is left at least, along each of its first ones."""
     generic, (_, directions) = load_generic(), head_shapes()
     face = generic.region("face")[generic.head_vertices]
-    own = fields_of(family_parameters()[1][:5])[:, face].reshape(5, -1)
+    own = displacements_of(family_parameters()[1][:5])[:, face].reshape(5, -1)
     flat = directions[:, face].reshape(len(directions), -1)
     unit = own / np.linalg.norm(own, axis=1, keepdims=True)
     assert (((flat @ unit.T) ** 2).sum(axis=0) > 0.45 * (own**2).sum(axis=1)).all()

@@ -7,15 +7,15 @@ import pytest
 
 from cloner.geometry.articulation.skinning import rotation_matrices
 from cloner.geometry.cameras.viewpoints import facing_camera
-from cloner.head.model import make_model
-from cloner.head.size import seen_scale
+from cloner.head.model import make_head_model
+from cloner.head.size import observed_scale
 from cloner.records.bodies import Phenotype
 
 
 @pytest.mark.parametrize(("nod_deg", "turn_deg"), [(0.0, 0.0), (12.0, 0.0), (-8.0, 10.0)])
 @pytest.mark.parametrize("larger", [0.95, 1.06])
 def test_a_turned_face_is_measured_like_a_straight_one(larger: float, nod_deg: float, turn_deg: float) -> None:
-    model = make_model(Phenotype(np.zeros(0), 1.70, 0.0, {}, {}))
+    model = make_head_model(Phenotype(np.zeros(0), 1.70, 0.0, {}, {}))
     places = model.net.places.at(model.vertices_m)
     middle = places.mean(axis=0)
     start = facing_camera(
@@ -29,4 +29,4 @@ def test_a_turned_face_is_measured_like_a_straight_one(larger: float, nod_deg: f
     errors = made + model.modes.turn_errors_m(pose[:3, :3])
     face_px = start.project(shown) + errors / start.metres_per_pixel(middle)
 
-    assert seen_scale(model, places, made, start, face_px) == pytest.approx(larger, abs=0.008)
+    assert observed_scale(model, places, made, start, face_px) == pytest.approx(larger, abs=0.008)

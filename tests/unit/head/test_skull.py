@@ -8,17 +8,17 @@ import pytest
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.outlines.rims import fill_triangles
-from cloner.head.model import make_model
-from cloner.head.rim import head_skin
-from cloner.head.skull import HAIR_M, fit_skull, skull_moves
+from cloner.head.model import make_head_model
+from cloner.head.silhouette import head_skin
+from cloner.head.skull import HAIR_M, fit_skull, skull_modes
 from cloner.records.bodies import Phenotype
 
 
 @pytest.mark.parametrize("height", [0.95, 1.0])
 def test_a_skull_is_as_high_as_the_outline_leaves_room_for(height: float) -> None:
-    model, controls = make_model(Phenotype(np.zeros(0), 1.70, 0.0, {}, {})), load_head_controls()
+    model, controls = make_head_model(Phenotype(np.zeros(0), 1.70, 0.0, {}, {})), load_head_controls()
     head = model.head(np.zeros(len(model.basis_m)))
-    fields, rows = skull_moves(model, controls)
+    fields, rows = skull_modes(model, controls)
     # hair as thick as the outline holds at least, all over what moves
     inside = head + (height - 1.0) * fields[0]
     grown = inside + 1.3 * HAIR_M * (inside - inside[rows].mean(axis=0)) / 0.09

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.body.outlined import outlined_photos, see
+from cloner.body.outlined import outlined_photos, posed_silhouette
 from cloner.frames import ViewId
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, measures_mm
@@ -48,7 +48,7 @@ def under_over_shown(shares: dict[ViewId, float]) -> dict[str, float]:
     photos = outlined_photos(Phenotype(np.zeros(1), 1.70, 0.0, views, {}), SilhouetteSet(silhouettes), told)
     body = BodyMesh(PERSON.vertices_m, PERSON.joints_m)
     shown = measures_mm(body.vertices_m, body.joints_m, load_tape_rules())
-    found = naked_girths(body, shown, {view: see(body, photo) for view, photo in photos.items()}, told)
+    found = naked_girths(body, shown, {view: posed_silhouette(body, photo) for view, photo in photos.items()}, told)
     return {key: float(found[row] / shown[key]) for row, key in enumerate(ALL_KEYS) if not np.isnan(found[row])}
 
 

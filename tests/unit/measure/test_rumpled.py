@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from cloner.body.outlined import outlined_photos, see
+from cloner.body.outlined import outlined_photos, posed_silhouette
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.measure.rumpled import garments_rumples_mm
@@ -32,7 +32,7 @@ def told():
     photos = outlined_photos(
         phenotype, SilhouetteSet({FRONT: outline}), Proposals({FRONT: studio.empty_proposal(FRONT, mask)})
     )
-    seen = {FRONT: see(BodyMesh(person.vertices_m, person.joints_m), photos[FRONT])}
+    seen = {FRONT: posed_silhouette(BodyMesh(person.vertices_m, person.joints_m), photos[FRONT])}
     generic, mm = load_generic(), seen[FRONT].mm_per_px
     pixels = seen[FRONT].body.pixels
 

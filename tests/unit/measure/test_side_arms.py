@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.body.outlined import outlined_photos, see
+from cloner.body.outlined import outlined_photos, posed_silhouette
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.measurement.measuring import ALL_KEYS
@@ -27,7 +27,7 @@ def hidden(swing_rad: float, view: ViewId = SIDE) -> set[str]:
     outlines = SilhouetteSet({view: studio.silhouette_record(view, mask)})
     photos = outlined_photos(phenotype, outlines, Proposals({view: studio.empty_proposal(view, mask)}))
     body = BodyMesh(person.vertices_m, person.joints_m)
-    rows = hidden_rows(person.vertices_m, {view: see(body, photos[view])})
+    rows = hidden_rows(person.vertices_m, {view: posed_silhouette(body, photos[view])})
     return {ALL_KEYS[row] for row in np.flatnonzero(rows)}
 
 

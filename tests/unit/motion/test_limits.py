@@ -10,7 +10,7 @@ import pytest
 from cloner.evaluate.measures.face_motion import mixture_figures
 from cloner.generic.face_grids import lips_apart, mouth_grid
 from cloner.generic.load import load_generic
-from cloner.head.parts import seat_parts
+from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
 from cloner.motion.face.limits import limited
 from kit.clones import toy_clone
@@ -19,7 +19,7 @@ from kit.clones import toy_clone
 @pytest.fixture(scope="module")
 def clone():
     toy = toy_clone()
-    rest = seat_parts(toy.vertices_m, toy.vertices_m, None)
+    rest = place_eyes_and_mouth(toy.vertices_m, toy.vertices_m, None)
     names, index, delta, start = face_targets(rest)
     return replace(toy, vertices_m=rest, morph_names=names, morph_index=index, morph_delta_m=delta, morph_start=start)
 

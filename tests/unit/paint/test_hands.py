@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cloner.body.feet import closed_toes
+from cloner.body.feet import close_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
 from cloner.paint.details.hand_detail import fingers
@@ -83,7 +83,7 @@ def test_a_toes_colour_does_not_run_on_to_the_sole(plain: np.ndarray) -> None:
 
 def test_the_undersides_of_toes_are_no_soles_on_a_shoes_tip(plain: np.ndarray) -> None:
     bare = BodyMesh(GENERIC.vertices_m.astype(float), GENERIC.joints_m.astype(float))
-    shod = closed_toes(bare).vertices_m
+    shod = close_toes(bare).vertices_m
     atlas = foot_texels(SIZE)
     front = (_down(bare.vertices_m) < UNDER[1]) & (_down(shod) > UNDER[0])
     assert front.sum() > 30, "texels that hang under toes and lie before a shoe"

@@ -13,9 +13,9 @@ from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.outlines.contour_match import turning_points
 from cloner.geometry.outlines.rims import vertex_normals
-from cloner.head.model import make_model
+from cloner.head.model import make_head_model
 from cloner.head.outline import Outline
-from cloner.head.rim import HAIR_M, head_skin, rim_evidence
+from cloner.head.silhouette import HAIR_M, head_skin, silhouette_evidence
 from cloner.records.bodies import Phenotype
 from cloner.records.views import Camera
 
@@ -57,7 +57,7 @@ def photographed(head: Array, hair_m: float) -> tuple[Outline, Camera]:
 
 @pytest.mark.parametrize("hair_mm", [0.0, 25.0])
 def test_jaw_and_vault_follow_the_outline_of_a_known_head(hair_mm: float) -> None:
-    model = make_model(Phenotype(np.zeros(0), 1.70, 0.0, {}, {}))
+    model = make_head_model(Phenotype(np.zeros(0), 1.70, 0.0, {}, {}))
     true = 0.8 * np.random.default_rng(14).normal(size=len(model.basis_m))
     head = model.head(true)
     outline, camera = photographed(head, hair_mm / 1000.0)
@@ -65,7 +65,7 @@ def test_jaw_and_vault_follow_the_outline_of_a_known_head(hair_mm: float) -> Non
 
     fit = fit_shape(
         ShapeFit(start, (camera,), np.zeros((1, 3))),
-        lambda fit, iteration: rim_evidence([model], fit.coefficients, fit.cameras, [outline], 0),
+        lambda fit, iteration: silhouette_evidence([model], fit.coefficients, fit.cameras, [outline], 0),
         rotation_sigma=np.full((1, 3), 1e-6),
     )
 

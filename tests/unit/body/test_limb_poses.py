@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.body import stances
-from cloner.body.hands import sized_hands
-from cloner.body.outlined import outlined_photos, see
-from cloner.body.seen_joints import SeenJoints
+from cloner.body import limb_poses
+from cloner.body.hands import scale_hands
+from cloner.body.observed_joints import ObservedJoints
+from cloner.body.outlined import outlined_photos, posed_silhouette
 from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints
@@ -42,7 +42,7 @@ def photographed(body, true_rotations, believed_rotations):
 
 def unsized(body):
     """Return a sizer that knows one hand size, and its prior."""
-    return lambda size: sized_hands(body, size), (np.ones(2), np.array([0.05, 0.06]))
+    return lambda size: scale_hands(body, size), (np.ones(2), np.array([0.05, 0.06]))
 
 
 def away_px(body, photo, true_rotations):
@@ -50,7 +50,7 @@ def away_px(body, photo, true_rotations):
     person = people.KnownPerson("known", 1.70, np.zeros(1), body.vertices_m, body.joints_m)
     true = photo.posed.camera.project(person.posed(true_rotations)[0])
     skin = load_generic().part("body")
-    return float(np.linalg.norm(see(body, photo).body.pixels[skin] - true[skin], axis=1).mean())
+    return float(np.linalg.norm(posed_silhouette(body, photo).body.pixels[skin] - true[skin], axis=1).mean())
 
 
 def test_turned_limbs_are_found_and_the_rest_stays(body):
@@ -61,13 +61,13 @@ def test_turned_limbs_are_found_and_the_rest_stays(body):
         true[generic.joint(name), axis] += np.deg2rad(degrees)
     photos = photographed(body, true, believed)
     sizer, size = unsized(body)
-    _, found = stances.fit_stances(sizer, size, photos, {}, stances.Params())
+    _, found = limb_poses.fit_limb_poses(sizer, size, photos, {}, limb_poses.Params())
     for view in ("body_front", "body_back"):
         before, after = (away_px(body, p[view], true) for p in (photos, found))
         assert before > 3.0, "the turns are seen"
         assert after < 0.5 * before, f"{view}: {before:.1f} -> {after:.1f} px"
-    free = {f"{side}_{name}" for name, _ in (*stances.LIMBS, *stances.TIPS) for side in "lr"}
-    free |= {f"{side}_{finger}{k}" for finger in stances.FINGERS for side in "lr" for k in (1, 2, 3)}
+    free = {f"{side}_{name}" for name, _ in (*limb_poses.LIMBS, *limb_poses.TIPS) for side in "lr"}
+    free |= {f"{side}_{finger}{k}" for finger in limb_poses.FINGERS for side in "lr" for k in (1, 2, 3)}
     kept = [row for row, name in enumerate(generic.joint_names) if name not in free]
     for view, photo in found.items():
         assert np.array_equal(photo.posed.rotations[kept], believed[kept]), view
@@ -79,7 +79,7 @@ def test_a_body_that_is_right_stays(body):
     pose = people.known_pose(1, spread=0.0)
     photos = photographed(body, pose, pose)
     sizer, size = unsized(body)
-    mesh, found = stances.fit_stances(sizer, size, photos, {}, stances.Params())
+    mesh, found = limb_poses.fit_limb_poses(sizer, size, photos, {}, limb_poses.Params())
     # outlines are half a pixel large on every side
     assert np.abs(mesh.vertices_m - body.vertices_m).max() < 0.006
     for view, photo in found.items():
@@ -88,10 +88,10 @@ def test_a_body_that_is_right_stays(body):
 
 def test_a_longer_hand_is_found(body):
     pose = people.known_pose(1, spread=0.0)
-    true = sized_hands(body, np.array([1.1, 1.0]))
+    true = scale_hands(body, np.array([1.1, 1.0]))
     photos = photographed(true, pose, pose)
     sizer, size = unsized(body)
-    mesh, _ = stances.fit_stances(sizer, size, photos, {}, stances.Params())
+    mesh, _ = limb_poses.fit_limb_poses(sizer, size, photos, {}, limb_poses.Params())
     generic = load_generic()
     tip, wrist = generic.feature("fingertip_left"), generic.joint("l_wrist")
 
@@ -104,7 +104,7 @@ def test_a_longer_hand_is_found(body):
 
 def test_a_hand_scales_about_its_wrist_with_its_joints(body):
     generic = load_generic()
-    moved = sized_hands(body, np.array([1.1, 1.1]))
+    moved = scale_hands(body, np.array([1.1, 1.1]))
     wrist = body.joints_m[generic.joint("l_wrist")]
     own = generic.segment_weights[:, generic.segment_names.index("left_hand")] > 0.999
     np.testing.assert_allclose(moved.vertices_m[own] - wrist, 1.1 * (body.vertices_m[own] - wrist), atol=1e-6)
@@ -121,16 +121,16 @@ def test_turns_follow_the_parents_axes(body, already):
     pose = people.known_pose(2, spread=0.3)
     photo = photographed(body, pose, pose)["body_front"]
     foot = np.flatnonzero(generic.segment_weights[:, generic.segment_names.index("left_foot")] > 0.999)[:20]
-    angles = np.zeros(stances.usual_angles(stances.Params())[0].size)
+    angles = np.zeros(limb_poses.prior_angles(limb_poses.Params())[0].size)
     angles[-14:-11] = already  # the left ankle's; the right one's, the hands' curls and the camera's come after
     small = np.zeros(len(angles))
     small[-14:-11] = [1e-4, -2e-4, 3e-4]
-    there = stances.turned_pose(photo.posed, angles, np.zeros(3))
+    there = limb_poses.turned_pose(photo.posed, angles, np.zeros(3))
     person = people.KnownPerson("known", 1.70, np.zeros(1), body.vertices_m, body.joints_m)
     places = person.posed(there.rotations)[0]
-    motion = stances.motion(body, there, places, foot, angles)
+    motion = limb_poses.vertex_jacobian(body, there, places, foot, angles)
     beyond, before = (
-        person.posed(stances.turned_pose(photo.posed, angles + way * small, np.zeros(3)).rotations)[0][foot]
+        person.posed(limb_poses.turned_pose(photo.posed, angles + way * small, np.zeros(3)).rotations)[0][foot]
         for way in (1.0, -1.0)
     )
     np.testing.assert_allclose(motion @ small[:-6], (beyond - before) / 2.0, atol=2e-8)
@@ -140,12 +140,12 @@ def test_curled_fingers_are_found(body):
     generic = load_generic()
     believed = people.known_pose(1, spread=0.0)
     photos = photographed(body, believed, believed)
-    curled = np.zeros(stances.usual_angles(stances.Params())[0].size)
+    curled = np.zeros(limb_poses.prior_angles(limb_poses.Params())[0].size)
     curled[-8:-6] = np.deg2rad([25.0, 0.0])
-    true = stances.turned_pose(photos["body_front"].posed, curled, np.zeros(3)).rotations
+    true = limb_poses.turned_pose(photos["body_front"].posed, curled, np.zeros(3)).rotations
     photos = photographed(body, true, believed)
     sizer, size = unsized(body)
-    _, found = stances.fit_stances(sizer, size, photos, {}, stances.Params())
+    _, found = limb_poses.fit_limb_poses(sizer, size, photos, {}, limb_poses.Params())
     bent = {
         side: np.rad2deg(np.linalg.norm(found["body_front"].posed.rotations[generic.joint(f"{side}_middle2")]))
         for side in "lr"
@@ -160,21 +160,21 @@ def seen(body, pose, view, names, off_px=0.0, spread_px=5.0):
     rows = np.array([generic.joint(name) for name in names])
     transforms = joint_transforms(body.joints_m, generic.joint_parents, pose)
     places = studio.camera(studio.AZIMUTH_DEG[view]).project(posed_joints(transforms, body.joints_m)[rows])
-    return SeenJoints(rows, places + [off_px, 0.0], np.full(len(rows), spread_px))
+    return ObservedJoints(rows, places + [off_px, 0.0], np.full(len(rows), spread_px))
 
 
 def test_joints_tell_how_their_pixels_move_with_angles_and_camera(body):
     pose = people.known_pose(2, spread=0.3)
     photo = photographed(body, pose, pose)["body_front"]
     told = seen(body, pose, "body_front", ("l_elbow", "r_knee", "l_ankle"))
-    usual, _ = stances.usual_angles(stances.Params())
+    usual, _ = limb_poses.prior_angles(limb_poses.Params())
     at = np.random.default_rng(0).normal(scale=0.05, size=len(usual))
     middle = body.joints_m[load_generic().joint("HumanoidRoot")]
     pivot = photo.posed.camera.to_camera(middle[None])[0]
 
     def rows(values):
-        moved = replace(photo, posed=stances.turned_pose(photo.posed, values, middle))
-        return stances._joint_rows(body, moved, told, values, pivot)
+        moved = replace(photo, posed=limb_poses.turned_pose(photo.posed, values, middle))
+        return limb_poses._joint_residuals(body, moved, told, values, pivot)
 
     step = 1e-5
     for column in np.flatnonzero(np.abs(rows(at).jacobian).max(axis=0) > 0.0):
@@ -191,8 +191,8 @@ def test_joints_that_are_seen_pull_limbs_that_outlines_leave(body):
     ankle = load_generic().joint("l_ankle")
 
     def ankle_px(joints):
-        mesh, found = stances.fit_stances(sizer, size, photos, joints, stances.Params())
-        return float(see(mesh, found["body_front"]).body.joints_px[ankle, 0])
+        mesh, found = limb_poses.fit_limb_poses(sizer, size, photos, joints, limb_poses.Params())
+        return float(posed_silhouette(mesh, found["body_front"]).body.joints_px[ankle, 0])
 
     away = ankle_px({"body_front": seen(body, pose, "body_front", ("l_ankle",), 4.0, 1.0)})
     assert ankle_px({}) + 0.5 < away < ankle_px({}) + 4.0

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
-from cloner.head.flank import find_flank
+from cloner.head.skin_matches import match_front_to_side
 from cloner.records.views import Camera
 
 WIDTH, HEIGHT = 500, 600
@@ -40,7 +40,7 @@ def test_places_are_found_where_they_lie_and_not_where_the_fit_has_them(azimuth_
     cameras = (camera(0.0, target), camera(azimuth_deg, target))
     pictures = tuple(painted(vertices, grey, c) for c in cameras)
     fitted = vertices + [0.0, 0.0, 0.004]  # the whole face 4 mm too far forward
-    found = find_flank(generic, (fitted, fitted), cameras, pictures, side=side)
+    found = match_front_to_side(generic, (fitted, fitted), cameras, pictures, side=side)
     assert len(found.vertices) >= 2
     metres = cameras[1].metres_per_pixel(target)
     error = np.linalg.norm(found.points_px - cameras[1].project(vertices[found.vertices]), axis=1) * metres
@@ -56,7 +56,7 @@ def test_nothing_is_found_in_a_picture_without_detail():
     vertices = generic.vertices_m.astype(np.float64)
     target = vertices[generic.feature("nasion")]
     blank = np.full((HEIGHT, WIDTH, 3), 128, np.uint8)
-    found = find_flank(
+    found = match_front_to_side(
         generic, (vertices, vertices), (camera(0.0, target), camera(90.0, target)), (blank, blank), side=0
     )
     assert len(found.vertices) == 0

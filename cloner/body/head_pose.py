@@ -1,4 +1,4 @@
-"""How the head is carried in each photo, found anew with the person's own head.
+"""The head's pose in each photo, fitted again with the person's own head.
 
 The phenotype's head is nobody's; once the fitted head sits on the body, neck and
 skull base turn a little until the head lies where each photo shows it (method §5,
@@ -17,38 +17,38 @@ from typing import Final
 
 import numpy as np
 
-from cloner.body.carriage_sight import Head, Params, Sight, sight_of, turned
-from cloner.body.outlined import Outlined
+from cloner.body.head_pose_evidence import HeadEvidence, Params, RestHead, head_evidence, turn_head
+from cloner.body.outlined import OutlinedPhoto
 from cloner.calibration.loader import calibrated
 from cloner.fit.evidence import Residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId
 from cloner.hair.volumes.agreement import HairField, agreement
-from cloner.head.flank import Flank
+from cloner.head.skin_matches import SkinMatches
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
-_CALIBRATED: Final = calibrated("body.carriage")
+_CALIBRATED: Final = calibrated("body.head_pose")
 
 
 _MAX_STEP_RAD = _CALIBRATED.number("step_rad", "rad")
 #: A photo without a face, and one in which nothing was looked up.
 UNSEEN = np.zeros((0, 2))
-NOTHING = Flank(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
+NOTHING = SkinMatches(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
 
 
-def carry_heads(
+def fit_head_poses(
     mesh: BodyMesh,
-    photos: Mapping[ViewId, Outlined],
+    photos: Mapping[ViewId, OutlinedPhoto],
     points: Mapping[ViewId, ViewPoints],
     faces_px: Mapping[ViewId, Array],
     face_errors_m: Array,
     lines: Mapping[ViewId, HairField],
-    look: Callable[[Mapping[ViewId, PosedView]], Mapping[ViewId, Flank]],
+    look: Callable[[Mapping[ViewId, PosedView]], Mapping[ViewId, SkinMatches]],
 ) -> dict[ViewId, PosedView]:
-    """Return the photos' poses with the head turned to what each photo shows.
+    """Return the photos' poses with neck and head rotated as each photo shows them.
 
     Parameters
     ----------
@@ -67,16 +67,16 @@ def carry_heads(
     look : callable
         Gives the skin that is found in some photos, from the poses so far.
     """
-    params, head = Params(), Head.of(mesh)
-    turning = {view: functools.partial(turned, photos[view].posed, pivot_m=head.pivot_m) for view in lines}
-    spots: dict[ViewId, Flank] = {}
+    params, head = Params(), RestHead.of(mesh)
+    turning = {view: functools.partial(turn_head, photos[view].posed, pivot_m=head.pivot_m) for view in lines}
+    spots: dict[ViewId, SkinMatches] = {}
 
-    def seen(view: ViewId, angles: Array) -> Sight:
+    def seen(view: ViewId, angles: Array) -> HeadEvidence:
         face, spot = faces_px.get(view, UNSEEN), spots.get(view, NOTHING)
-        return sight_of(head, photos[view], angles, points.get(view), face, face_errors_m, spot, params)
+        return head_evidence(head, photos[view], angles, points.get(view), face, face_errors_m, spot, params)
 
     def stood(values: Values) -> dict[ViewId, PosedView]:
-        return {view: turned(photo.posed, values[view], head.pivot_m) for view, photo in photos.items()}
+        return {view: turn_head(photo.posed, values[view], head.pivot_m) for view, photo in photos.items()}
 
     def linearise(values: Values, iteration: int) -> Iterator[Residuals]:
         if iteration == params.looks_at:
@@ -86,24 +86,26 @@ def carry_heads(
             yield Residuals((view, "hair"), *sight.linear(values[view], values["hair"]))
         yield from agreement(mesh, lines, turning, {view: values[view] for view in lines})
 
-    usual = {view: np.deg2rad(_usual_deg(view, params)) for view in photos}
+    usual = {view: np.deg2rad(_prior_angles_deg(view, params)) for view in photos}
     blocks = {
         view.value: ParameterBlock(np.zeros(len(u)), sigma=u, max_step=_MAX_STEP_RAD) for view, u in usual.items()
     }
     first = {view: seen(view, np.zeros(len(u))) for view, u in usual.items()}
     mean, sigma = np.transpose(params.thickness_mm)
     # from usual hair an afro's outline would count as another thing's
-    begin = np.append(usual_thickness_mm(first, mean[0]), mean[1:])
+    begin = np.append(median_hair_thickness_mm(first, mean[0]), mean[1:])
     blocks["hair"] = ParameterBlock(begin, mean, sigma)
     return stood(Problem(blocks).solve(linearise, iterations=params.iterations).values)
 
 
-def usual_thickness_mm(sights: Mapping[ViewId, Sight], otherwise_mm: float) -> float:
-    """Return how thick hair is above the skull on the median over all photos; `otherwise_mm` where none shows hair."""
+def median_hair_thickness_mm(sights: Mapping[ViewId, HeadEvidence], otherwise_mm: float) -> float:
+    """Return the median thickness of hair above the skull over all photos; `otherwise_mm` where none shows hair."""
     told = np.concatenate([sight.thickness_mm() for sight in sights.values()])
     return float(np.median(told)) if len(told) else otherwise_mm
 
 
-def _usual_deg(view: ViewId, params: Params) -> tuple[float, ...]:
-    """Return a photo's usual angles, degrees: three of the neck and three of the head, or a face photo's nod."""
+def _prior_angles_deg(view: ViewId, params: Params) -> tuple[float, ...]:
+    """Return the prior sigmas of a photo's angles, degrees: three of the neck and three of the head, or a face photo's
+    pitch.
+    """
     return (params.nod_deg,) if view.is_face else (*[params.neck_deg] * 3, *[params.head_deg] * 3)

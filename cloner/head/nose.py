@@ -1,4 +1,4 @@
-"""What the front photo shows of the nose at its full resolution, with errors that a feature's points share.
+"""Points of the nose in the front photo at full resolution, with their correlated errors.
 
 The face net sees a face at 192 px and draws wings of noses 5 % of the eye distance beside them; cascades find them in
 the photo itself. How the points of one feature err together was measured on portraits that taught nothing: believed one
@@ -22,7 +22,7 @@ from cloner.records.photos import Photo
 from cloner.records.points import Proposal, ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
-_CALIBRATED: Final = calibrated("head.inside")
+_CALIBRATED: Final = calibrated("head.nose")
 
 FEATURE: Final = "front_nose"
 HARDER: Final = _CALIBRATED.number("harder", "factor")
@@ -32,16 +32,16 @@ MEAN_OF_TWO: Final = 0.886
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Together:
-    """Points of one feature: vertices (N,), places (N, 2) px, and what makes their errors, px, independent (2N, 2N)."""
+class CorrelatedPoints:
+    """Points with correlated errors: vertices (N,), pixels (N, 2), whitening matrix (2N, 2N)."""
 
     vertices: NDArray[np.int64]
     points_px: Array
     whiten: Array
 
 
-def read_inside_front(photo: Photo, proposal: Proposal, points: ViewPoints) -> tuple[Together, ...]:
-    """Return what a front photo shows of the nose on both halves of the face; nothing without all its named points.
+def nose_observations(photo: Photo, proposal: Proposal, points: ViewPoints) -> tuple[CorrelatedPoints, ...]:
+    """Return the points of both halves of the nose in a front photo, none unless all its named points are known.
 
     Parameters
     ----------
@@ -55,12 +55,12 @@ def read_inside_front(photo: Photo, proposal: Proposal, points: ViewPoints) -> t
     for side in "LR":
         if {*sided(FEATURE, side), "pupil_L", "pupil_R"} <= set(points.names):
             found, pose = find_half(photo, proposal, points.names, points.points_px, FEATURE, side)
-            out.append(_together(side, found, pose, points))
+            out.append(_half_nose(side, found, pose, points))
     return tuple(out)
 
 
-def _together(side: str, found: Found, pose: Pose, points: ViewPoints) -> Together:
-    """Return half a nose's points with their joint errors, those given that an operator corrected some of them."""
+def _half_nose(side: str, found: Found, pose: Pose, points: ViewPoints) -> CorrelatedPoints:
+    """Return the points of half a nose with their joint errors, conditioned on those that an operator placed."""
     cascade = load_cascades()[FEATURE]
     usual = MEAN_OF_TWO * np.sqrt(np.diag(cascade.joint).reshape(-1, 2).sum(axis=1)).mean()
     joint = (HARDER * max(float(found.error_iod.mean() / usual), 1.0)) ** 2 * cascade.joint
@@ -75,4 +75,4 @@ def _together(side: str, found: Found, pose: Pose, points: ViewPoints) -> Togeth
         joint = joint - gain @ joint[rows]
     root = np.linalg.cholesky(joint + ALONE_IOD**2 * np.eye(len(joint)))
     white = np.linalg.solve(root, np.kron(np.eye(len(places)), to_upright))
-    return Together(cascade.vertices["LR".index(side)], places, white)
+    return CorrelatedPoints(cascade.vertices["LR".index(side)], places, white)

@@ -1,4 +1,4 @@
-"""What one photo says about how the head is carried, for small turns of neck and skull base."""
+"""Evidence of one photo for small rotations of neck and skull base."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, see
+from cloner.body.outlined import OutlinedPhoto, posed_silhouette
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import m_from_mm, mm_from_m
@@ -17,15 +17,15 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.outlines.rims import vertex_normals
-from cloner.head.flank import Flank
 from cloner.head.modes import load_head_modes
-from cloner.head.rim import HAIR_M, thickening
+from cloner.head.silhouette import HAIR_M, hair_thickness_basis
+from cloner.head.skin_matches import SkinMatches
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
-_CALIBRATED: Final = calibrated("body.carriage_sight")
+_CALIBRATED: Final = calibrated("body.head_pose_evidence")
 
 
 #: Joints that carry the head, in two groups that may counter each other.
@@ -40,9 +40,9 @@ _WRONG = _CALIBRATED.number("wrong", "sigmas")
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """Trust in the evidence.
+    """Standard deviations of the evidence.
 
-    Its numbers: ``cloner/calibration/body.toml``, ``[carriage_sight.*]``.
+    Its numbers: ``cloner/calibration/body.toml``, ``[head_pose_evidence.*]``.
 
     Attributes
     ----------
@@ -66,8 +66,8 @@ class Params:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Head:
-    """The head in rest pose, and how its hair may thicken.
+class RestHead:
+    """The head at rest and the basis of its hair's thickness.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ class Head:
     pivot_m: Array
 
     @classmethod
-    def of(cls, mesh: BodyMesh) -> Head:
+    def of(cls, mesh: BodyMesh) -> RestHead:
         """Return the head of a person."""
         generic = load_generic()
         normals = vertex_normals(mesh.vertices_m, body_triangles())
@@ -95,12 +95,12 @@ class Head:
         above = mesh.vertices_m[:, 1] > mesh.vertices_m[ears, 1].mean()
         on_head = (generic.head_blend > 0.9) & generic.skin
         pivot = load_face_net().places.at(mesh.vertices_m).mean(axis=0)
-        return cls(mesh, on_head, generic.region("scalp") & above & ~ears, thickening(normals), pivot)
+        return cls(mesh, on_head, generic.region("scalp") & above & ~ears, hair_thickness_basis(normals), pivot)
 
 
 @functools.cache
-def _spread() -> Array:
-    """Return the (282, 6) matrix to stacked rotation vectors from how the neck bends and how the head turns at all."""
+def _angle_basis() -> Array:
+    """Return the (282, 6) matrix from neck and head angles to stacked rotation vectors."""
     generic = load_generic()
     matrix = np.zeros((len(generic.joint_names) * 3, 6))
     for axis in range(3):
@@ -111,10 +111,10 @@ def _spread() -> Array:
     return matrix
 
 
-def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
-    """Return a photo's pose with neck and skull base turned, or a face photo's camera that sees the head nod."""
+def turn_head(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
+    """Return a photo's pose with neck and skull base rotated, or a face photo's camera for a head that nods."""
     if not posed.view.is_face:
-        rotations = posed.rotations + (_spread() @ angles).reshape(-1, 3)
+        rotations = posed.rotations + (_angle_basis() @ angles).reshape(-1, 3)
         return replace(posed, rotations=rotations)
     cosine, sine = np.cos(angles[0]), np.sin(angles[0])
     nod = np.array([[1.0, 0.0, 0.0], [0.0, cosine, -sine], [0.0, sine, cosine]])
@@ -124,8 +124,8 @@ def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
     return replace(posed, camera=replace(camera, camera_from_model=matrix))
 
 
-def placed(mesh: BodyMesh, rows: NDArray[np.int64], posed: PosedView) -> tuple[Array, Array]:
-    """Return where some vertices (N, 3) stand in a photo's pose, and the joints' transforms (94, 4, 4)."""
+def posed_vertices(mesh: BodyMesh, rows: NDArray[np.int64], posed: PosedView) -> tuple[Array, Array]:
+    """Return some vertices (N, 3) in a photo's pose, and the joints' transforms (94, 4, 4)."""
     generic = load_generic()
     transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
     weights = generic.skin_weights[rows].astype(np.float64)
@@ -133,8 +133,8 @@ def placed(mesh: BodyMesh, rows: NDArray[np.int64], posed: PosedView) -> tuple[A
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Sight:
-    """What one photo says about the head, prepared for small turns.
+class HeadEvidence:
+    """Evidence of one photo about the head, prepared for small rotations.
 
     Attributes
     ----------
@@ -153,8 +153,8 @@ class Sight:
         Rows of ``chosen``.
     """
 
-    photo: Outlined
-    head: Head
+    photo: OutlinedPhoto
+    head: RestHead
     chosen: NDArray[np.int64]
     bare: NDArray[np.bool_]
     cap: NDArray[np.bool_]
@@ -167,10 +167,10 @@ class Sight:
     params: Params = field(default_factory=Params)
 
     def residual(self, angles: Array, hair_mm: Array) -> Array:
-        """Return outline, points and face in spreads, for a photo's angles and the hair's thickness (4,)."""
+        """Return the residuals of outline, points and face, sigmas, for angles and hair thickness (4,)."""
         generic, mesh = load_generic(), self.head.mesh
-        posed = turned(self.photo.posed, angles, self.head.pivot_m)
-        places, transforms = placed(mesh, self.chosen, posed)
+        posed = turn_head(self.photo.posed, angles, self.head.pivot_m)
+        places, transforms = posed_vertices(mesh, self.chosen, posed)
         pixels, rim = posed.camera.project(places), len(self.bare)
         named = (pixels[rim : rim + len(self.points_px)] - self.points_px) * self.trust
         named = _WRONG * np.tanh(named / _WRONG)
@@ -183,7 +183,7 @@ class Sight:
         return np.concatenate([self._gaps(pixels[:rim], hair_mm), named.ravel(), face.ravel()])
 
     def _gaps(self, pixels: Array, hair_mm: Array) -> Array:
-        """Return how far the rim (R, 2) px stands out of where the outline wants it, in spreads."""
+        """Return the signed distance of silhouette vertices (R, 2) px from the expected outline, sigmas."""
         gap = self.photo.field.signed_distance(pixels) * self.mm_per_px
         over = gap + self.head.hair[self.chosen[: len(gap)]] @ hair_mm
         away = np.where(self.bare, gap, np.maximum(gap, 0.0)) / self.params.outline_mm
@@ -191,32 +191,34 @@ class Sight:
         return np.asarray(_WRONG * np.tanh(away / _WRONG) / np.sqrt(max(len(gap) / _INDEPENDENT, 1.0)))
 
     def thickness_mm(self) -> Array:
-        """Return (N,) how far the photo's outline lies outside the bare skull where hair makes it, as it stands."""
+        """Return the distance (N,) of the photo's outline from the bare skull where hair makes it."""
         rim = self.chosen[: len(self.bare)][self.cap]
-        pixels = self.photo.posed.camera.project(placed(self.head.mesh, rim, self.photo.posed)[0])
+        pixels = self.photo.posed.camera.project(posed_vertices(self.head.mesh, rim, self.photo.posed)[0])
         return -self.photo.field.signed_distance(pixels) * self.mm_per_px
 
     def linear(self, angles: Array, hair_mm: Array) -> tuple[Array, Array]:
-        """Return the residual (R,) and its derivatives (R, angles + 4)."""
+        """Return the residuals (R,) and their Jacobian (R, angles + 4)."""
         value = self.residual(angles, hair_mm)
         columns = [(self.residual(angles + 1e-3 * one, hair_mm) - value) / 1e-3 for one in np.eye(len(angles))]
         columns += [(self.residual(angles, hair_mm + 0.1 * one) - value) / 0.1 for one in np.eye(HAIR)]
         return value, np.stack(columns, axis=1)
 
 
-def sight_of(
-    head: Head,
-    photo: Outlined,
+def head_evidence(
+    head: RestHead,
+    photo: OutlinedPhoto,
     angles: Array,
     points: ViewPoints | None,
     face_px: Array,
     face_errors_m: Array,
-    spots: Flank,
+    spots: SkinMatches,
     params: Params,
-) -> Sight:
-    """Return a photo's evidence, with the rim of the head as it is turned now."""
+) -> HeadEvidence:
+    """Return a photo's evidence for the head as it is posed now."""
     generic, net = load_generic(), load_face_net()
-    seen = see(head.mesh, Outlined(turned(photo.posed, angles, head.pivot_m), photo.field), head.on_head)
+    seen = posed_silhouette(
+        head.mesh, OutlinedPhoto(turn_head(photo.posed, angles, head.pivot_m), photo.field), head.on_head
+    )
     rim = np.flatnonzero(seen.body.on_rim & head.on_head)
     veiled = photo.field.is_veiled(seen.body.pixels[rim])
     silent = points is None or len(face_px) > 0  # the face net's points are ten times as good
@@ -228,7 +230,7 @@ def sight_of(
     marks = np.concatenate([marks, spots.vertices])
     pixels = np.concatenate([pixels, spots.points_px])
     trust = np.concatenate([trust, np.full((len(spots.vertices), 1), 1.0 / params.spot_mm)])
-    return Sight(
+    return HeadEvidence(
         photo,
         head,
         np.concatenate([rim, marks, used.astype(np.int64)]),

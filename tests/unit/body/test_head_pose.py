@@ -6,17 +6,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.body import carriage
-from cloner.body.carriage_looks import look_up, shown_places
-from cloner.body.carriage_sight import NECK, SKULL, Head, turned
+from cloner.body import head_pose
+from cloner.body.head_pose_evidence import NECK, SKULL, RestHead, turn_head
+from cloner.body.head_pose_matches import match_face_skin, visible_points
 from cloner.body.outlined import outlined_photos
 from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import rotation_matrices
 from cloner.geometry.outlines.rims import vertex_normals
-from cloner.head.flank import Flank
 from cloner.head.modes import load_head_modes
+from cloner.head.skin_matches import SkinMatches
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
@@ -113,7 +113,7 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
     person, believed = people.known_person(51), people.known_pose(1, spread=0.0)
     true = nodded(believed, nod_degrees)
     photos, points, faces = photographed(person, {SIDE: true}, believed)
-    found = carriage.carry_heads(
+    found = head_pose.fit_head_poses(
         BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {}, nothing
     )[SIDE]
     before, after = (off_px(person, posed, true, ["nose_tip"]) for posed in (photos[SIDE].posed, found))
@@ -127,7 +127,7 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
 def test_a_head_that_is_right_stays():
     person, pose = people.known_person(51), people.known_pose(1, spread=0.0)
     photos, points, faces = photographed(person, {SIDE: pose}, pose)
-    found = carriage.carry_heads(
+    found = head_pose.fit_head_poses(
         BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {}, nothing
     )[SIDE]
     assert off_px(person, found, pose, ["nose_tip"]) < 3.0
@@ -139,7 +139,7 @@ def test_under_thick_hair_front_and_side_hold_the_head_in_the_photo_of_the_back(
     true = {FRONT: nodded(believed, 5.0), SIDE: nodded(believed, -4.0), BACK: believed.copy()}
     true[BACK][load_generic().joint("vc5"), 2] += np.deg2rad(7.0)  # the head leans to one side by 1.2 cm
     photos, points, faces = photographed(person, true, believed, thick_m)
-    found = carriage.carry_heads(
+    found = head_pose.fit_head_poses(
         BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {}, nothing
     )
     crown = ["head_top", "ear_outer_L", "ear_outer_R"]
@@ -153,9 +153,9 @@ def test_under_thick_hair_front_and_side_hold_the_head_in_the_photo_of_the_back(
 
 def test_a_face_photo_nods_about_the_face():
     person = people.known_person(51)
-    head = Head.of(BodyMesh(person.vertices_m, person.joints_m))
+    head = RestHead.of(BodyMesh(person.vertices_m, person.joints_m))
     posed = PosedView(ViewId.FACE_FRONT, studio.camera(0.0), np.zeros((94, 3)))
-    found = turned(posed, np.array([0.1]), head.pivot_m)
+    found = turn_head(posed, np.array([0.1]), head.pivot_m)
     ends = [view.camera.project(head.pivot_m[None])[0] for view in (posed, found)]
     np.testing.assert_allclose(ends[1], ends[0], atol=1e-6)
     top = person.vertices_m[[load_generic().feature("head_top")]]
@@ -173,7 +173,7 @@ def test_a_net_that_draws_a_face_awry_does_not_nod_it():
     made = {FRONT: faces[FRONT] + awry / camera.metres_per_pixel(person.vertices_m.mean(axis=0))}
     mesh = BodyMesh(person.vertices_m, person.joints_m)
     known, unknown = (
-        carriage.carry_heads(mesh, photos, points, made, errors, {}, nothing)[FRONT] for errors in (awry, STRAIGHT)
+        head_pose.fit_head_poses(mesh, photos, points, made, errors, {}, nothing)[FRONT] for errors in (awry, STRAIGHT)
     )
     names = ["head_top", "nose_tip", "chin_bottom"]
     assert off_px(person, known, pose, names) < 0.7 * off_px(person, unknown, pose, names)
@@ -190,11 +190,11 @@ def test_skin_looked_up_beside_the_head_tells_its_turn(turn_degrees):
     shown = photos[SIDE].posed.camera.project(person.posed(true)[0][marks])
 
     def look(poses):
-        return {SIDE: Flank(marks, shown, np.ones(len(marks)))}
+        return {SIDE: SkinMatches(marks, shown, np.ones(len(marks)))}
 
     mesh = BodyMesh(person.vertices_m, person.joints_m)
     blind, seeing = (
-        carriage.carry_heads(mesh, photos, points, faces, STRAIGHT, {}, found)[SIDE] for found in (nothing, look)
+        head_pose.fit_head_poses(mesh, photos, points, faces, STRAIGHT, {}, found)[SIDE] for found in (nothing, look)
     )
     ear = ["ear_outer_L"]
     assert off_px(person, seeing, true, ear) < 0.4 * off_px(person, blind, true, ear)
@@ -204,7 +204,7 @@ def test_only_photos_of_the_same_side_are_looked_into():
     person, pose = people.known_person(51), people.known_pose(1, spread=0.0)
     pictures = PhotoSet({view: Photo(view, np.zeros((40, 30, 3), np.uint8), None, "", "") for view in (SIDE, NEAR)})
     poses = {SIDE: PosedView(SIDE, studio.camera(90.0), pose), NEAR: PosedView(NEAR, studio.camera(-90.0), pose)}
-    assert look_up(BodyMesh(person.vertices_m, person.joints_m), pictures, poses) == {}
-    names = shown_places(np.array([1.0, 0.0, 0.1]))
+    assert match_face_skin(BodyMesh(person.vertices_m, person.joints_m), pictures, poses) == {}
+    names = visible_points(np.array([1.0, 0.0, 0.1]))
     assert "ear_outer_L" in names
     assert not any(name.endswith("_R") for name in names)

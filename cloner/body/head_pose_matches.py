@@ -1,4 +1,4 @@
-"""Where body photos show what the face photos show: skin looked up in them tells how the head is turned there.
+"""Face skin of the face photos matched in the body photos: evidence for the head's pose there.
 
 A face photo and the body photo of the same direction show the same skin from nearly the same side. Places on ear, eye,
 nose and mouth are found again in the body photo to about a millimetre, eight times as well as outline and pose net
@@ -15,16 +15,16 @@ import numpy as np
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.head.flank import PLACES, Flank, find_places, vertex_of
-from cloner.head.jaw import jaw_in, opened
+from cloner.head.jaw import jaw_opening_rad, with_open_jaw
 from cloner.head.size import head_camera
+from cloner.head.skin_matches import PLACES, SkinMatches, match_vertices, named_vertex
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.photos import PhotoSet
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
-_CALIBRATED: Final = calibrated("body.carriage_looks")
+_CALIBRATED: Final = calibrated("body.head_pose_matches")
 
 
 #: Body photos and the face photos of the same direction.
@@ -35,8 +35,8 @@ SAME_WAY: Final = _CALIBRATED.number("same_way", "cosine")
 ASIDE: Final = _CALIBRATED.number("aside", "sine")
 
 
-def look_up(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView]) -> dict[ViewId, Flank]:
-    """Return what was found in body photos of the skin that face photos show.
+def match_face_skin(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView]) -> dict[ViewId, SkinMatches]:
+    """Return the matches in body photos of skin that the face photos show.
 
     Parameters
     ----------
@@ -53,27 +53,27 @@ def look_up(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView])
         if view not in poses or twin not in poses or not {view, twin} <= set(photos.photos):
             continue
         cameras = head_camera(mesh.joints_m, poses[twin]), head_camera(mesh.joints_m, poses[view])
-        ways = [_way(camera, middle) for camera in cameras]
+        ways = [_view_direction(camera, middle) for camera in cameras]
         if ways[0] @ ways[1] > SAME_WAY:
             pictures = photos.photos[twin].rgb, photos.photos[view].rgb
-            places = np.array([vertex_of(generic, name) for name in shown_places(ways[0])])
-            wholes = _as_shown(mesh, poses[twin]), _as_shown(mesh, poses[view])
-            found[view] = find_places(places, wholes, cameras, pictures)
+            places = np.array([named_vertex(generic, name) for name in visible_points(ways[0])])
+            wholes = _with_photo_jaw(mesh, poses[twin]), _with_photo_jaw(mesh, poses[view])
+            found[view] = match_vertices(places, wholes, cameras, pictures)
     return found
 
 
-def shown_places(way: Array) -> list[str]:
-    """Return the names of the places that a camera in a direction (3,) from the head sees."""
+def visible_points(way: Array) -> list[str]:
+    """Return the names of the points visible to a camera in a direction (3,) from the head."""
     sides = [0] if way[0] > ASIDE else [1] if way[0] < -ASIDE else [0, 1]
     return [pair[side] for pair in (*PLACES, *EAR) for side in sides]
 
 
-def _as_shown(mesh: BodyMesh, posed: PosedView) -> Array:
-    """Return the person at rest (V, 3) but for the jaw, which is as far open as a photo shows it."""
+def _with_photo_jaw(mesh: BodyMesh, posed: PosedView) -> Array:
+    """Return the person at rest (V, 3), with the jaw as far open as a photo shows it."""
     generic = load_generic()
-    return opened(generic, mesh.vertices_m, mesh.joints_m, jaw_in(generic, posed.rotations))
+    return with_open_jaw(generic, mesh.vertices_m, mesh.joints_m, jaw_opening_rad(generic, posed.rotations))
 
 
-def _way(camera: Camera, middle: Array) -> Array:
+def _view_direction(camera: Camera, middle: Array) -> Array:
     away = camera.position_m - middle
     return np.asarray(away / np.linalg.norm(away))

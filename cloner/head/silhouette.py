@@ -1,4 +1,4 @@
-"""The head's outline in the face photos as evidence: bare jaw and cheeks, and the vault under its hair.
+"""Silhouette evidence of the head: bare jaw and cheeks, and the skull under its hair.
 
 Net and profile say little of jaw and vault, and the two photos' sizes and nods hang together by points that sit loosely
 along the profile. Both show one head, though: its bare jaw is the outline itself, and the vault lies below the outline
@@ -23,13 +23,13 @@ from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.contour_match import farthest, turning_points
 from cloner.geometry.outlines.rims import vertex_normals
-from cloner.head.model import Model
+from cloner.head.model import HeadModel
 from cloner.head.outline import Outline
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
-_CALIBRATED: Final = calibrated("head.rim")
+_CALIBRATED: Final = calibrated("head.silhouette")
 
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides; usual and spread, metres.
 HAIR_M: Final = tuple(
@@ -44,8 +44,8 @@ FOREHEAD_M: Final = _CALIBRATED.number("forehead_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Skin:
-    """What may make a head's outline, in rows of ``generic.head_vertices``.
+class HeadSkin:
+    """Edges and vertices that can be on the head's silhouette, in rows of ``generic.head_vertices``.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Skin:
 
 
 @functools.cache
-def head_skin() -> Skin:
+def head_skin() -> HeadSkin:
     """Return the generic head's skin, prepared once per process."""
     generic = load_generic()
     head, mean = generic.head_vertices, generic.vertices_m
@@ -79,17 +79,17 @@ def head_skin() -> Skin:
     bare = (generic.head_blend > 0.95) & ~scalp & ~ears & low
     vault = scalp & ~ears & (mean[:, 1] > mean[ears, 1].mean())
     middle = row[[generic.feature("ear_top_L"), generic.feature("ear_top_R")]]
-    return Skin(triangles, edges_of(triangles)[0], bare[head], vault[head], middle)
+    return HeadSkin(triangles, edges_of(triangles)[0], bare[head], vault[head], middle)
 
 
-def rim_evidence(
-    seen: Sequence[Model],
+def silhouette_evidence(
+    seen: Sequence[HeadModel],
     coefficients: Array,
     cameras: Sequence[Camera],
     outlines: Sequence[Outline | None],
     before: int,
 ) -> list[Evidence]:
-    """Return what outlines say of the present head.
+    """Return the evidence of the photos' outlines for the present head.
 
     Parameters
     ----------
@@ -112,17 +112,17 @@ def rim_evidence(
         places = turning_points(head, normals, skin.edges, camera.position_m)
         middle = camera.project(head[skin.middle]).mean(axis=0)
         places = places.take(farthest(camera.project(places.at(head)), middle, SECTOR))
-        sight = _Sight(model, head, normals, camera, index, outline, camera.metres_per_pixel(head[skin.middle[0]]))
-        out += _vault(sight, _among(places, skin.vault), hair, before)
-        out += _bare(sight, _among(places, skin.bare)) if index == 0 else []
+        sight = _HeadView(model, head, normals, camera, index, outline, camera.metres_per_pixel(head[skin.middle[0]]))
+        out += _hair_evidence(sight, _on_edges_among(places, skin.vault), hair, before)
+        out += _skin_evidence(sight, _on_edges_among(places, skin.bare)) if index == 0 else []
     return out
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Sight:
-    """One head (H, 3) before one camera."""
+class _HeadView:
+    """The head (H, 3) in front of one camera."""
 
-    model: Model
+    model: HeadModel
     head: Array
     normals: Array
     camera: Camera
@@ -131,7 +131,9 @@ class _Sight:
     metres: float
 
     def nearest(self, places: SurfacePoints, away_m: Array) -> tuple[Array, NDArray[np.int64]]:
-        """Return how far (N,) metres the outline lies from places pushed outwards (N,) metres, and where on it (N,)."""
+        """Return the distance (N,) metres from points, displaced outwards by (N,) metres, to the outline, and its index
+        (N,).
+        """
         outwards = places.at(self.normals) @ self.camera.camera_from_model[:2, :3].T
         outwards = unit(outwards)
         seen = self.camera.project(places.at(self.head)) + away_m[:, None] / self.metres * outwards
@@ -140,7 +142,7 @@ class _Sight:
 
     def evidence(self, places: SurfacePoints, which: NDArray[np.int64], sigma_m: float, over_m: Array,
                  drift_m: Array | None = None) -> list[Evidence]:  # fmt: skip
-        """Return that places lie ``over_m`` inside the outline, within errors (M, N) they make together."""
+        """Return the evidence that points lie ``over_m`` inside the outline, with common errors (M, N)."""
         if not len(which):
             return []
         base, basis = self.model.head_places(places)
@@ -151,27 +153,27 @@ class _Sight:
         return [Evidence(self.index, base, basis, target, sigma, normal_px=normal, outlier=2.0, common_error_px=drift)]
 
 
-def _among(places: SurfacePoints, wanted: NDArray[np.bool_]) -> SurfacePoints:
-    """Return the places on edges whose both ends are wanted (H,)."""
+def _on_edges_among(places: SurfacePoints, wanted: NDArray[np.bool_]) -> SurfacePoints:
+    """Return the points on edges of which both ends are wanted (H,)."""
     return places.take(np.flatnonzero(wanted[places.corners].all(axis=1)))
 
 
-def _vault(sight: _Sight, places: SurfacePoints, hair: Array, before: int) -> list[Evidence]:
+def _hair_evidence(sight: _HeadView, places: SurfacePoints, hair: Array, before: int) -> list[Evidence]:
     usual, spread = np.array(HAIR_M).T
-    share = thickening(places.at(sight.normals))
+    share = hair_thickness_basis(places.at(sight.normals))
     gap, which = sight.nearest(places, share @ (usual + spread * hair))
     kept = gap < VAULT_GATE_M
     drift = np.vstack([np.zeros((before, int(kept.sum()))), (share[kept] * spread).T])
     return sight.evidence(places.take(kept), which[kept], VAULT_M, share[kept] @ usual, drift)
 
 
-def _bare(sight: _Sight, places: SurfacePoints) -> list[Evidence]:
+def _skin_evidence(sight: _HeadView, places: SurfacePoints) -> list[Evidence]:
     nothing = np.zeros(len(places.corners))
     gap, which = sight.nearest(places, nothing)
     kept = (gap < BARE_GATE_M) & ~sight.outline.veiled[which]
     return sight.evidence(places.take(kept), which[kept], BARE_M, nothing[kept])
 
 
-def thickening(normals: Array) -> Array:
-    """Return (N, 4) how much each number of the hair's thickness counts on skin with normals (N, 3)."""
+def hair_thickness_basis(normals: Array) -> Array:
+    """Return the basis (N, 4) of the hair's thickness at skin with normals (N, 3)."""
     return np.stack([np.ones(len(normals)), normals[:, 1], -normals[:, 2], np.abs(normals[:, 0])], axis=1)

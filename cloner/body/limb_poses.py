@@ -1,4 +1,4 @@
-"""Limbs, hands and feet turned and sized to every photo's outline and joints, with the person's own body.
+"""Poses of limbs, hands and feet in every photo, and sizes of hands and feet, fitted with the person's own body.
 
 The phenotype's poses were found with nobody's body. Once slices made it the
 person's, limbs turn a little until the body lies on each photo's outline, while joints
@@ -20,8 +20,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, see
-from cloner.body.seen_joints import OUTLIER, SeenJoints
+from cloner.body.observed_joints import OUTLIER, ObservedJoints
+from cloner.body.outlined import OutlinedPhoto, posed_silhouette
 from cloner.calibration.loader import calibrated
 from cloner.fit.evidence import Residuals, point_residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
@@ -38,7 +38,7 @@ from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
-_CALIBRATED: Final = calibrated("body.stances")
+_CALIBRATED: Final = calibrated("body.limb_poses")
 
 #: Rest vertices of a body whose hands and feet have given sizes.
 Sizer = Callable[[Array], BodyMesh]
@@ -46,9 +46,9 @@ Sizer = Callable[[Array], BodyMesh]
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """Trust in outlines against the poses found before.
+    """Standard deviations of outlines and poses.
 
-    Its numbers: ``cloner/calibration/body.toml``, ``[stances.*]``.
+    Its numbers: ``cloner/calibration/body.toml``, ``[limb_poses.*]``.
     """
 
     limb_degrees: float = _CALIBRATED.number("limb_degrees", "deg")
@@ -68,8 +68,8 @@ TIPS = (("wrist", (0, 1, 2)), ("ankle", (0, 1, 2)))
 
 
 @functools.cache
-def _turns() -> tuple[tuple[int, tuple[int, ...], Array, bool], ...]:
-    """Return joint, axes, carried share (V,) and whether it is a hand or foot, for every joint that turns."""
+def _joint_rotations() -> tuple[tuple[int, tuple[int, ...], Array, bool], ...]:
+    """Return joint, axes, skinning weights (V,) and whether it is a hand or foot, for every joint that rotates."""
     generic = load_generic()
     joints, weights = generic.skin_joints, generic.skin_weights.astype(np.float64)
     rows = []
@@ -82,8 +82,8 @@ def _turns() -> tuple[tuple[int, tuple[int, ...], Array, bool], ...]:
 
 
 @functools.cache
-def _curls() -> tuple[tuple[tuple[int, Array, Array], ...], ...]:
-    """Return for each hand joint, axis (3,) at rest and carried share (V,) of all knuckles that curl together."""
+def _finger_curls() -> tuple[tuple[tuple[int, Array, Array], ...], ...]:
+    """Return for each hand joint the axis (3,) at rest and skinning weights (V,) of all knuckles that curl together."""
     generic = load_generic()
     joints, weights = generic.skin_joints, generic.skin_weights.astype(np.float64)
     hands = []
@@ -96,11 +96,13 @@ def _curls() -> tuple[tuple[tuple[int, Array, Array], ...], ...]:
     return tuple(hands)
 
 
-def usual_angles(params: Params) -> tuple[Array, Array]:
-    """Return what every angle usually is and by how much it differs, (A,) radians each; the camera's last six too."""
-    degrees = [params.tip_degrees if tip else params.limb_degrees for _, axes, _, tip in _turns() for _ in axes]
+def prior_angles(params: Params) -> tuple[Array, Array]:
+    """Return mean and sigma of every angle, (A,) radians each; the last six are the camera's."""
+    degrees = [
+        params.tip_degrees if tip else params.limb_degrees for _, axes, _, tip in _joint_rotations() for _ in axes
+    ]
     curl, curl_spread = np.deg2rad(params.curl_degrees)
-    hands = len(_curls())
+    hands = len(_finger_curls())
     spread = np.concatenate(
         [
             np.deg2rad(degrees), np.full(hands, curl_spread), np.deg2rad(params.camera_degrees),
@@ -112,14 +114,16 @@ def usual_angles(params: Params) -> tuple[Array, Array]:
     return usual, spread
 
 
-def _by_angles(transforms: Array, pivots_m: Array, places_m: Array, shares: Iterable[Array], angles: Array) -> Array:
-    """Return (N, 3, A) motion of posed points per radian of every limb's angle, turned by ``angles`` already.
+def _angle_jacobian(
+    transforms: Array, pivots_m: Array, places_m: Array, shares: Iterable[Array], angles: Array
+) -> Array:
+    """Return the derivatives (N, 3, A) of posed points by every limb's angle, already rotated by ``angles``.
 
-    ``pivots_m`` are the posed joints; ``shares`` (N,) tell for every joint of `_turns` how far it carries each point.
+    ``pivots_m`` are the posed joints; ``shares`` (N,) are the skinning weights of each point for every rotating joint.
     """
     parents = load_generic().joint_parents
     blocks, start = [], 0
-    for (joint, axes, _, _), share in zip(_turns(), shares, strict=True):
+    for (joint, axes, _, _), share in zip(_joint_rotations(), shares, strict=True):
         turn = np.zeros(3)
         turn[list(axes)] = angles[start : start + len(axes)]
         frame = transforms[parents[joint], :3, :3] @ turning_axes(turn)
@@ -128,14 +132,16 @@ def _by_angles(transforms: Array, pivots_m: Array, places_m: Array, shares: Iter
     return np.concatenate(blocks, axis=2)
 
 
-def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array) -> Array:
-    """Return (N, 3, A) motion of posed vertices per radian of every joint's angle, turned by ``angles`` already."""
+def vertex_jacobian(
+    mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array
+) -> Array:
+    """Return the derivatives (N, 3, A) of posed vertices by every joint's angle, already rotated by ``angles``."""
     parents, places = load_generic().joint_parents, places_m[vertices]
     transforms = joint_transforms(mesh.joints_m, parents, posed.rotations)
     pivots = posed_joints(transforms, mesh.joints_m)
-    shares = (share[vertices] for _, _, share, _ in _turns())
-    blocks = [_by_angles(transforms, pivots, places, shares, angles)]
-    for hand in _curls():
+    shares = (share[vertices] for _, _, share, _ in _joint_rotations())
+    blocks = [_angle_jacobian(transforms, pivots, places, shares, angles)]
+    for hand in _finger_curls():
         moved = np.zeros((len(vertices), 3, 1))
         for joint, axis, share in hand:
             turned = transforms[parents[joint], :3, :3] @ axis
@@ -144,30 +150,32 @@ def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[
     return np.concatenate(blocks, axis=2)
 
 
-def _joint_rows(mesh: BodyMesh, photo: Outlined, told: SeenJoints, values: Array, pivot: Array) -> Residuals:
-    """Return the rows of the joints seen in one photo by its angles and camera (A), which ``values`` hold."""
+def _joint_residuals(
+    mesh: BodyMesh, photo: OutlinedPhoto, told: ObservedJoints, values: Array, pivot: Array
+) -> Residuals:
+    """Return the residuals of observed joints in one photo by its angles and camera (A), given in ``values``."""
     parents = load_generic().joint_parents
     transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
     pivots = posed_joints(transforms, mesh.joints_m)
     places = pivots[told.joints]
-    shares = (below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _turns())
-    by_limbs = _by_angles(transforms, pivots, places, shares, values)
-    by_curls = np.zeros((len(places), 2, len(_curls())))  # no finger is among them
+    shares = (below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _joint_rotations())
+    by_limbs = _angle_jacobian(transforms, pivots, places, shares, values)
+    by_curls = np.zeros((len(places), 2, len(_finger_curls())))  # no finger is among them
     pixels, by_points, by_step = projection_derivatives(photo.posed.camera, places)
     jacobian = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_twists(values[-6:], pivot)], axis=2)
     return point_residuals((photo.view,), pixels - told.places_px, jacobian, told.spread_px, outlier=OUTLIER)
 
 
 def _middle(mesh: BodyMesh) -> Array:
-    """Return the point about which a photo's camera turns, (3,) metres."""
+    """Return the centre of rotation of a photo's camera, (3,) metres."""
     return np.asarray(mesh.joints_m[load_generic().joint("HumanoidRoot")])
 
 
-def _rows(
-    mesh: BodyMesh, grown: Array, photo: Outlined, values: Array, pivot: Array, reach_mm: float, params: Params
+def _outline_residuals(
+    mesh: BodyMesh, grown: Array, photo: OutlinedPhoto, values: Array, pivot: Array, reach_mm: float, params: Params
 ) -> Residuals:
-    """Return the outline's rows by sizes (S) and by one photo's angles and camera (A), which ``values`` hold."""
-    seen = see(mesh, photo)
+    """Return the residuals of a photo's outline by sizes (S) and by its angles and camera (A), given in ``values``."""
+    seen = posed_silhouette(mesh, photo)
     rim = np.flatnonzero(seen.body.on_rim)
     camera = photo.posed.camera
     normals = np.einsum("vab,vb->va", seen.blended[:, :, :3], vertex_normals(mesh.vertices_m, body_triangles()))[rim]
@@ -178,7 +186,7 @@ def _rows(
     used, place = np.unique(rim[nearest[keep]], return_inverse=True)
     pixels, by_points, by_step = projection_derivatives(camera, seen.posed_m[used])
     by_size = by_points @ (seen.blended[used, :, :3] @ grown[used])
-    by_angle = by_points @ motion(mesh, photo.posed, seen.posed_m, used, values)
+    by_angle = by_points @ vertex_jacobian(mesh, photo.posed, seen.posed_m, used, values)
     jacobian = np.concatenate([by_size, by_angle, by_step @ motion_twists(values[-6:], pivot)], axis=2)
     pieces = photo.field.step_px * seen.mm_per_px / params.piece_mm
     sigma_px = params.outline_mm / seen.mm_per_px / np.sqrt(min(pieces, 1.0)) / (1.0 - distance[keep] / reach_px)
@@ -186,14 +194,14 @@ def _rows(
     return point_residuals(("sizes", photo.view), *away, sigma_px, normal=photo.field.normals[keep])
 
 
-def fit_stances(
+def fit_limb_poses(
     sizer: Sizer,
     size: tuple[Array, Array],
-    photos: dict[ViewId, Outlined],
-    joints: Mapping[ViewId, SeenJoints],
+    photos: dict[ViewId, OutlinedPhoto],
+    joints: Mapping[ViewId, ObservedJoints],
     params: Params,
-) -> tuple[BodyMesh, dict[ViewId, Outlined]]:
-    """Return the body with hands and feet sized, and the photos with limbs turned to them.
+) -> tuple[BodyMesh, dict[ViewId, OutlinedPhoto]]:
+    """Return the body with scaled hands and feet, and the photos with fitted limb poses.
 
     Parameters
     ----------
@@ -204,31 +212,33 @@ def fit_stances(
     joints : those that they show under the clothes, where somebody looked for them
     """
     mean, sigma = size
-    usual, differs = usual_angles(params)
+    usual, differs = prior_angles(params)
     blocks = {"sizes": ParameterBlock(mean, mean, sigma, max_sigmas=3.0)}
     blocks |= {view.value: ParameterBlock(usual, usual, differs, max_step=params.max_step) for view in photos}
     middle = _middle(sizer(mean))
     pivots = {view: photo.posed.camera.to_camera(middle[None])[0] for view, photo in photos.items()}
 
-    def stood(values: Values) -> dict[ViewId, Outlined]:
+    def stood(values: Values) -> dict[ViewId, OutlinedPhoto]:
         poses = {view: turned_pose(photo.posed, values[view], middle) for view, photo in photos.items()}
-        return {view: Outlined(posed, photos[view].field) for view, posed in poses.items()}
+        return {view: OutlinedPhoto(posed, photos[view].field) for view, posed in poses.items()}
 
     def linearise(values: Values, iteration: int) -> list[Residuals]:
-        mesh, grown = _grown(sizer, values["sizes"])
+        mesh, grown = _with_sizes(sizer, values["sizes"])
         rows = []
         for view, photo in stood(values).items():
-            rows.append(_rows(mesh, grown, photo, values[view], pivots[view], params.reach_mm[iteration], params))
+            rows.append(
+                _outline_residuals(mesh, grown, photo, values[view], pivots[view], params.reach_mm[iteration], params)
+            )
             if view in joints:
-                rows.append(_joint_rows(mesh, photo, joints[view], values[view], pivots[view]))
+                rows.append(_joint_residuals(mesh, photo, joints[view], values[view], pivots[view]))
         return rows
 
     found = Problem(blocks).solve(linearise, iterations=len(params.reach_mm)).values
     return sizer(found["sizes"]), stood(found)
 
 
-def _grown(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
-    """Return the body and (V, 3, S) how its rest vertices move with each size."""
+def _with_sizes(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
+    """Return the body for some sizes, and the derivatives (V, 3, S) of its vertices at rest."""
     mesh, step = sizer(values), m_from_mm(1.0)
     grown = np.zeros((*mesh.vertices_m.shape, len(values)))
     for place, axis in enumerate(np.eye(len(values))):
@@ -237,15 +247,15 @@ def _grown(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
 
 
 def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:
-    """Return the pose after every joint turned by its angles in its parent's axes, fingers curled, the camera moved."""
+    """Return the pose with every joint rotated by its angles in its parent's axes, fingers curled, the camera moved."""
     rotations = posed.rotations.copy()
     start = 0
-    for joint, axes, _, _ in _turns():
+    for joint, axes, _, _ in _joint_rotations():
         turn = np.zeros(3)
         turn[list(axes)] = angles[start : start + len(axes)]
         rotations[joint] = turned_rotation(rotations[joint], turn)
         start += len(axes)
-    for hand, curl in zip(_curls(), angles[start:-6], strict=True):
+    for hand, curl in zip(_finger_curls(), angles[start:-6], strict=True):
         for joint, axis, _ in hand:
             rotations[joint] = turned_rotation(rotations[joint], curl * axis)
     camera = moved_camera(posed.camera, angles[-6:], posed.camera.to_camera(middle_m[None])[0])

@@ -1,4 +1,5 @@
-"""Where the side photo shows what the front photo shows too: outer eye, brow, wing of the nose, corner of the mouth.
+"""Correspondences between front and side photo, on skin that both show: outer eye, brow, wing of the nose, mouth
+corner.
 
 The side photo's outline tells the depths of the midline alone; how far eyes, cheeks and mouth corners lie behind it, no
 net tells at 90 degrees. Skin that both photos see is therefore looked up: its brightness in the front photo is laid on
@@ -25,7 +26,7 @@ from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
-_CALIBRATED: Final = calibrated("head.flank")
+_CALIBRATED: Final = calibrated("head.skin_matches")
 
 #: Places looked up, feature or FDP names of the person's left and right.
 PLACES: Final = (
@@ -48,8 +49,8 @@ AGREE_M = _CALIBRATED.number("agree_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Flank:
-    """Vertices (N,) found in the side photo, where (N, 2) px, and the correlation (N,)."""
+class SkinMatches:
+    """Vertices (N,) matched in the side photo, their pixels (N, 2) and correlations (N,)."""
 
     vertices: NDArray[np.int64]
     points_px: Array
@@ -69,7 +70,7 @@ def _detail(rgb: NDArray[np.uint8], camera: Camera, points: Array) -> tuple[Arra
 
 
 def _patch(generic: GenericHuman, triangles: NDArray[np.integer], vertex: int) -> SurfacePoints:
-    """Return samples spread over the skin around a vertex of the mean head, always the same."""
+    """Return sample points over the skin around a vertex of the mean head (the same ones every time)."""
     mean = generic.vertices_m.astype(np.float64)
     near = triangles[(np.linalg.norm(mean[triangles].mean(axis=1) - mean[vertex], axis=1) < PATCH_M)]
     area = areas(mean, near)
@@ -85,7 +86,7 @@ def _sample(detail: Array, corner: Array, points_px: Array) -> Array:
 
 
 def _correlation(front: Array, beside: Array) -> Array:
-    """Return the correlation of (N,) values with each row of (S, N)."""
+    """Return the correlation of values (N,) with each row of (S, N)."""
     a = front - front.mean()
     b = beside - beside.mean(axis=1, keepdims=True)
     return np.asarray(b @ a / np.maximum(np.sqrt((a**2).sum() * (b**2).sum(axis=1)), 1e-9))
@@ -102,26 +103,26 @@ def _skin() -> NDArray[np.integer]:
     return np.asarray(triangles[kept[triangles].all(axis=1)])
 
 
-def find_flank(
+def match_front_to_side(
     generic: GenericHuman,
     wholes: tuple[Array, Array],
     cameras: tuple[Camera, Camera],
     pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]],
     *,
     side: int,
-) -> Flank:
-    """Return what the side photo shows of ``PLACES`` (``find_places``); side 0 is the person's left."""
-    places = np.array([vertex_of(generic, pair[side]) for pair in PLACES])
-    return find_places(places, wholes, cameras, pictures)
+) -> SkinMatches:
+    """Return ``PLACES`` of the front photo matched in the side photo; side 0 is the person's left."""
+    places = np.array([named_vertex(generic, pair[side]) for pair in PLACES])
+    return match_vertices(places, wholes, cameras, pictures)
 
 
-def find_places(
+def match_vertices(
     places: NDArray[np.int64],
     wholes: tuple[Array, Array],
     cameras: tuple[Camera, Camera],
     pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]],
-) -> Flank:
-    """Return what was found in the second photo of vertices (N,), by their look in the first.
+) -> SkinMatches:
+    """Return matches in the second photo for vertices (N,), by their appearance in the first (template matching).
 
     Parameters
     ----------
@@ -140,28 +141,28 @@ def find_places(
     maps: dict[int, Array] = {}
     for row, patch in zip(places, patches, strict=True):
         points = [patch.at(whole) for whole in wholes]
-        towards = [_towards(*one) for one in zip(cameras, points, map(patch.at, normals), strict=True)]
+        towards = [_facing_cosines(*one) for one in zip(cameras, points, map(patch.at, normals), strict=True)]
         seen = (towards[0] > TURNED) & (towards[1] > TURNED)
         if seen.sum() >= FEWEST:
             first, second = (camera.project(own[seen]) for camera, own in zip(cameras, points, strict=True))
             spots = second[None] + (steps / metres)[:, None]
             maps[int(row)] = _correlation(_sample(*front, first), _sample(*beside, spots))
-    found = _best_steps(maps, steps)
-    return Flank(
+    found = _best_displacements(maps, steps)
+    return SkinMatches(
         np.array([row for row, _, _ in found], dtype=np.int64),
         np.array([cameras[1].project(wholes[1][[row]])[0] + step / metres for row, step, _ in found]).reshape(-1, 2),
         np.array([share for _, _, share in found]),
     )
 
 
-def _towards(camera: Camera, points: Array, normals: Array) -> Array:
-    """Return the cosines (N,) between normals and the way to the camera."""
+def _facing_cosines(camera: Camera, points: Array, normals: Array) -> Array:
+    """Return the cosines (N,) between normals and the directions to the camera."""
     way = camera.position_m - points
     return np.asarray((way * normals).sum(axis=1) / np.linalg.norm(way, axis=1))
 
 
-def _best_steps(maps: dict[int, Array], steps: Array) -> list[tuple[int, Array, float]]:
-    """Return vertex, step and correlation of the places that agree: most of what is wrong, is wrong for all of them."""
+def _best_displacements(maps: dict[int, Array], steps: Array) -> list[tuple[int, Array, float]]:
+    """Return vertex, displacement and correlation of the matches that agree, as most of the error is common to all."""
     if len(maps) < 2:
         return []
     together = steps[int(np.mean(list(maps.values()), axis=0).argmax())]
@@ -175,8 +176,8 @@ def _best_steps(maps: dict[int, Array], steps: Array) -> list[tuple[int, Array, 
     return found
 
 
-def vertex_of(generic: GenericHuman, name: str) -> int:
-    """Return the vertex of a feature or an FDP name."""
+def named_vertex(generic: GenericHuman, name: str) -> int:
+    """Return the vertex of a feature point or an MPEG-4 feature point (FDP)."""
     if name in generic.feature_names:
         return generic.feature(name)
     return int(generic.fdp_vertices[generic.fdp_names.index(name)])

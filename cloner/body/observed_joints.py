@@ -1,4 +1,4 @@
-"""Where each body photo shows the joints under the clothes, as evidence for poses."""
+"""Joints under the clothes, observed by the label net in each body photo: evidence for poses."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals, ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
-_CALIBRATED: Final = calibrated("body.seen_joints")
+_CALIBRATED: Final = calibrated("body.observed_joints")
 
 #: A joint seen so many spreads away has lost half of its weight.
 OUTLIER: Final = _CALIBRATED.number("outlier", "sigmas")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SeenJoints:
-    """Joints of one photo.
+class ObservedJoints:
+    """Observed joints of one photo.
 
     Attributes
     ----------
@@ -42,10 +42,10 @@ class SeenJoints:
     spread_px: Array
 
 
-def seen_joints(
+def observed_joints(
     phenotype: Phenotype, proposals: Proposals, points: Mapping[ViewId, ViewPoints]
-) -> Mapping[ViewId, SeenJoints]:
-    """Return the joints that the label net saw in every photo it looked at, but those that an operator placed.
+) -> Mapping[ViewId, ObservedJoints]:
+    """Return the joints observed by the label net in every photo, without those that an operator placed.
 
     Parameters
     ----------
@@ -59,16 +59,16 @@ def seen_joints(
         placed = {name for name, fixed in zip(known.names, known.corrected, strict=True) if fixed} if known else set()
         rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names and name not in placed]
         if len(places) and rows:
-            shown = _side_shown(posed)
+            shown = _visible_side(posed)
             spread_m = phenotype.stature_m * np.array([spread(NAMES[row], shown) for row in rows])
             middle = np.array([0.0, phenotype.stature_m / 2.0, 0.0])
             joints = np.array([generic.joint(NAMES[row]) for row in rows])
-            found[view] = SeenJoints(joints, places[rows], spread_m / posed.camera.metres_per_pixel(middle))
+            found[view] = ObservedJoints(joints, places[rows], spread_m / posed.camera.metres_per_pixel(middle))
     return found
 
 
-def _side_shown(posed: PosedView) -> str:
-    """Return the person's side that a body photo's camera sees."""
+def _visible_side(posed: PosedView) -> str:
+    """Return the person's side that faces a body photo's camera."""
     if posed.view is ViewId.BODY_SIDE:
         return "left" if posed.camera.position_m[0] > 0.0 else "right"
     return "front" if posed.view is ViewId.BODY_FRONT else "back"
