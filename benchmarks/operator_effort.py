@@ -40,7 +40,7 @@ from cloner.generic.load import load_generic
 from cloner.interactive.refitting import moved_points
 from cloner.project.corrections import move_point, no_corrections
 from cloner.records.points import Corrections, ViewPoints
-from cloner.stages.points import corrected, figure_height_px
+from cloner.stages.points import apply_corrections, figure_height_px
 from cloner.testing import folder_values, run_stages
 from cloner_gui.canvas.photos.picking import worst_first
 from cloner_gui.event.services import points_by_view
@@ -137,7 +137,7 @@ def drags(case: Case) -> Iterator[tuple[Corrections, str]]:
     proposed = points_by_view(case.values, photos)
     yield corrections, ""
     for view, name in worst_first(proposed):
-        points = corrected(proposed[view], corrections.points.get(view, {}), photos.photos[view])
+        points = apply_corrections(proposed[view], corrections.points.get(view, {}), photos.photos[view])
         placed = points.points_px[points.names.index(name)]
         place = case.place(view, name, placed)
         if place is not None and np.linalg.norm(place - placed) > seen_px(case, proposed[view], name):

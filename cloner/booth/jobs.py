@@ -30,7 +30,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal
 from cloner.stages.figures import NobodySeen
 from cloner.stages.photo_checks import check_photos
-from cloner.stages.proposals import propose, settle_hidden
+from cloner.stages.proposals import propose, resolve_hidden
 
 #: Proposals of so many photos are remembered: two visitors and some retakes, 4 MB each.
 REMEMBERED: Final = 16
@@ -82,7 +82,7 @@ class Jobs:
                 unseen[view] = error
                 continue
             self._remember(photo.digest, views[view])
-        proposals = settle_hidden(photos, views, unseen)
+        proposals = resolve_hidden(photos, views, unseen)
         check_photos(proposals, photos)
         stages = tuple(stage for stage in pipeline.STAGES if stage.name == "points")
         values: Mapping[str, object] = {

@@ -1,1 +1,1 @@
-"""Nets and rules that propose what a photo shows; ``table`` lists them."""
+"""Detectors: nets and rules that propose points, masks and labels for a photo; ``table`` lists them."""

@@ -1,4 +1,4 @@
-"""Which detector does what; each loads on first use."""
+"""Registry of the detectors; each loads on first use."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from cloner.registry import Registry
 DETECTORS = Registry("detector")
 DETECTORS.add("people", "cloner.detectors.nets.people:detect_people")
 DETECTORS.add("pose", "cloner.detectors.nets.litert:detect_pose")
-DETECTORS.add("pose_with_room", "cloner.detectors.nets.people:pose_with_room")
+DETECTORS.add("pose_with_room", "cloner.detectors.nets.people:padded_pose")
 DETECTORS.add("pose_in_mask", "cloner.detectors.nets.people:pose_in_mask")
 DETECTORS.add("label_features", "cloner.detectors.nets.litert:label_features")
-DETECTORS.add("let_nets_go", "cloner.detectors.nets.litert:let_nets_go")
+DETECTORS.add("let_nets_go", "cloner.detectors.nets.litert:release_nets")
 DETECTORS.add("face", "cloner.detectors.nets.litert:detect_face")
-DETECTORS.add("guessed_face", "cloner.detectors.nets.litert:guess_face")
+DETECTORS.add("guessed_face", "cloner.detectors.nets.litert:guess_hidden_face")
 DETECTORS.add("refined_face", "cloner.detectors.face.face_curves:refine_face")
 DETECTORS.add("body_points", "cloner.detectors.body.body_points:propose_body_points")
 DETECTORS.add("face_points", "cloner.detectors.face.face_points:propose_face_points")

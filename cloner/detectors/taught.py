@@ -1,4 +1,4 @@
-"""A point that an operator placed teaches its neighbours: what errs together is mended together.
+"""Propagation of corrections: a point that an operator placed corrects others whose errors correlate with its own.
 
 The proposed points of one photo err jointly: a nod that the net missed moves nose, brow and chin alike, an ear found
 too low is too low at top and lobe. How they err was measured on painted people (``calibrate_face_errors.py``) as a
@@ -35,7 +35,7 @@ FEWEST: Final = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FaceErrors:
-    """How the proposed points of a face photo err together.
+    """Covariance of the errors of a face photo's proposed points.
 
     Attributes
     ----------
@@ -56,8 +56,8 @@ class FaceErrors:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Frame:
-    """Which points of a photo the errors are known of, and how picture and layout lie to each other.
+class LayoutAlignment:
+    """Points with known error statistics, and the similarity between photo and layout.
 
     Attributes
     ----------
@@ -89,26 +89,26 @@ def load_face_errors(view: str) -> FaceErrors:
     )
 
 
-def errors_of(view: ViewId) -> FaceErrors:
-    """Return how the points of a photo's face err."""
+def errors_in_view(view: ViewId) -> FaceErrors:
+    """Return the error statistics of a view's points."""
     return load_face_errors("side" if view.is_side else "front")
 
 
-def frame_of(points: ViewPoints, errors: FaceErrors) -> Frame | None:
-    """Return how a photo's proposed points lie to the layout, None where too few are known."""
+def align_layout(points: ViewPoints, errors: FaceErrors) -> LayoutAlignment | None:
+    """Return the alignment of a photo's proposed points with the layout, None where too few are known."""
     side = "pupil_L" not in errors.names
     own = [name[:-2] if side and name.endswith(("_L", "_R")) else name for name in points.names]
     rows = np.array([row for row, name in enumerate(own) if name in errors.names], dtype=np.int64)
     known = np.array([errors.names.index(own[row]) for row in rows], dtype=np.int64)
     if len(rows) < FEWEST:
         return None
-    px_from_iod = _laid(errors.layout_iod[known], points.points_px[rows], either_hand=side)
+    px_from_iod = _similarity(errors.layout_iod[known], points.points_px[rows], either_hand=side)
     expected = np.clip(expected_face_error(points.confidence[rows]), LEAST, MOST)
-    return Frame(rows, known, px_from_iod, expected)
+    return LayoutAlignment(rows, known, px_from_iod, expected)
 
 
-def _laid(layout: Array, places_px: Array, *, either_hand: bool) -> Array:
-    """Return the (2, 2) similarity, mirrored where that fits better and either hand is allowed."""
+def _similarity(layout: Array, places_px: Array, *, either_hand: bool) -> Array:
+    """Return the (2, 2) similarity, mirrored where that fits better and is allowed."""
     away, goal = layout - layout.mean(axis=0), places_px - places_px.mean(axis=0)
     best, least = np.eye(2), np.inf
     for hand in (1.0, -1.0) if either_hand else (1.0,):
@@ -121,8 +121,8 @@ def _laid(layout: Array, places_px: Array, *, either_hand: bool) -> Array:
     return best
 
 
-def taught(points: ViewPoints, fixed: NDArray[np.bool_], targets_px: Array) -> tuple[Array, Array]:
-    """Return places (N, 2) px and confidences (N,) of a face's points once an operator has placed some.
+def propagate_corrections(points: ViewPoints, fixed: NDArray[np.bool_], targets_px: Array) -> tuple[Array, Array]:
+    """Return positions (N, 2) px and confidences (N,) of a face's points after an operator has placed some.
 
     Parameters
     ----------
@@ -140,13 +140,13 @@ def taught(points: ViewPoints, fixed: NDArray[np.bool_], targets_px: Array) -> t
     """
     places, confidence = points.points_px.copy(), points.confidence.copy()
     places[fixed], confidence[fixed] = targets_px, 1.0
-    errors = errors_of(points.view)
-    frame = frame_of(points, errors)
-    told = None if frame is None else _lesson(errors, frame, points, fixed, places)
+    errors = errors_in_view(points.view)
+    frame = align_layout(points, errors)
+    told = None if frame is None else _kalman_gain(errors, frame, points, fixed, places)
     if frame is None or told is None:
         return places, confidence
     gain, error = told
-    axes = axes_of(frame.known)
+    axes = axis_rows(frame.known)
     most_likely = (errors.moment[axes] @ gain @ error).reshape(-1, 2) * frame.expected_iod[:, None]
     before = np.diag(errors.moment)[axes].reshape(-1, 2).sum(axis=1)
     told_away = np.einsum("ij,ij->i", errors.moment[axes] @ gain, errors.moment[axes]).reshape(-1, 2).sum(axis=1)
@@ -154,12 +154,12 @@ def taught(points: ViewPoints, fixed: NDArray[np.bool_], targets_px: Array) -> t
     free = ~fixed[frame.rows]
     rows = frame.rows[free]
     places[rows] += (most_likely @ frame.px_from_iod.T)[free]
-    confidence[rows] = _surer(points.confidence[rows], left[free])
+    confidence[rows] = _raised_confidence(points.confidence[rows], left[free])
     return places, confidence
 
 
-def taught_net(net_px: Array, points: ViewPoints) -> Array:
-    """Return the net's points (468, 2) px with the errors taken out that an operator's points tell.
+def propagate_to_net(net_px: Array, points: ViewPoints) -> Array:
+    """Return the net's points (468, 2) px corrected by the errors that an operator's points reveal.
 
     Parameters
     ----------
@@ -167,21 +167,21 @@ def taught_net(net_px: Array, points: ViewPoints) -> Array:
     points : ViewPoints
         Of the same photo, corrections on top.
     """
-    errors, before = errors_of(points.view), points.proposed or points
-    frame, count = frame_of(before, errors), len(before.names)
+    errors, before = errors_in_view(points.view), points.proposed or points
+    frame, count = align_layout(before, errors), len(before.names)
     if frame is None or errors.net is None:
         return net_px.copy()
-    told = _lesson(errors, frame, before, points.corrected[:count], points.points_px[:count])
+    told = _kalman_gain(errors, frame, before, points.corrected[:count], points.points_px[:count])
     if told is None:
         return net_px.copy()
     gain, error = told
     return np.asarray(net_px + (errors.net @ gain @ error) @ frame.px_from_iod.T)
 
 
-def _lesson(
-    errors: FaceErrors, frame: Frame, before: ViewPoints, fixed: NDArray[np.bool_], places_px: Array
+def _kalman_gain(
+    errors: FaceErrors, frame: LayoutAlignment, before: ViewPoints, fixed: NDArray[np.bool_], places_px: Array
 ) -> tuple[Array, Array] | None:
-    """Return the gain (2K, 2K) and the shown errors (2K,), each in its point's expected error; None without any.
+    """Return the gain (2K, 2K) and the observed errors (2K,), each in its point's sigma; None without any.
 
     Errors are what has to be added to a proposal. A point that lies where it was proposed says nothing: it may never
     have been looked at.
@@ -192,7 +192,7 @@ def _lesson(
         return None
     error = np.zeros(len(errors.moment))
     spread = frame.expected_iod[shown]
-    axes = axes_of(frame.known[shown])
+    axes = axis_rows(frame.known[shown])
     error[axes] = (away[shown] @ np.linalg.inv(frame.px_from_iod).T / spread[:, None]).ravel()
     hand = np.repeat((HAND / spread) ** 2, 2)
     gain = np.zeros_like(errors.moment)
@@ -200,11 +200,11 @@ def _lesson(
     return gain, error
 
 
-def axes_of(known: Rows) -> Rows:
+def axis_rows(known: Rows) -> Rows:
     """Return the rows of both axes of points."""
     return np.asarray((2 * known[:, None] + [0, 1]).ravel(), dtype=np.int64)
 
 
-def _surer(confidence: Array, left: Array) -> Array:
-    """Return confidences once a share of the expected errors is left."""
+def _raised_confidence(confidence: Array, left: Array) -> Array:
+    """Return confidences once a share of the sigma is left."""
     return np.asarray(face_confidence(left * expected_face_error(confidence)))

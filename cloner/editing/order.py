@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.taught import HAND, FaceErrors, Frame, axes_of, errors_of, frame_of
+from cloner.detectors.taught import HAND, FaceErrors, LayoutAlignment, align_layout, axis_rows, errors_in_view
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.points import FAR, ViewPoints, expected_error, expected_face_error
@@ -47,8 +47,8 @@ def gains(points: ViewPoints) -> list[tuple[str, float]]:
     """Return a photo's points that nobody placed, each with what it mends beyond those before it, square metres."""
     known: list[tuple[str, float]] = []
     if points.view.is_face:
-        errors = errors_of(points.view)
-        frame = frame_of(points, errors)
+        errors = errors_in_view(points.view)
+        frame = align_layout(points, errors)
         known = [] if frame is None else [(points.names[row], gain) for row, gain in _greedy(errors, frame)]
         away = IOD_M * expected_face_error(points.confidence) * (frame is None)  # a hairline bends no face
     else:
@@ -70,9 +70,9 @@ def _far_chance(expected: Array) -> Array:
     return np.asarray(np.exp(-np.pi / 4.0 * (FAR / np.maximum(expected, 1e-6)) ** 2))
 
 
-def _greedy(errors: FaceErrors, frame: Frame) -> list[tuple[int, float]]:
+def _greedy(errors: FaceErrors, frame: LayoutAlignment) -> list[tuple[int, float]]:
     """Return a face's points, each the one that mends most when all before it are known, and that, square metres."""
-    axes = axes_of(frame.known)
+    axes = axis_rows(frame.known)
     spread = np.repeat(IOD_M * frame.expected_iod, 2)
     doubt = errors.moment[np.ix_(axes, axes)] * spread[:, None] * spread
     hand = (IOD_M * HAND) ** 2 * np.eye(2)

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from cloner.abreast import abreast
-from cloner.detectors.face.found import face_in
+from cloner.detectors.face.found import frontal_face
 from cloner.detectors.table import DETECTORS
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.generic.surfaces import load_surfaces
@@ -37,7 +37,7 @@ def ask_nets(photos: PhotoSet) -> None:
         with suppress(NobodySeen):  # a photo that the clone was made without
             check_people(photo)
         DETECTORS.get("pose")(photo.rgb)
-        face_in(photo)
+        frontal_face(photo)
 
     for _ in abreast(ask, photos.photos.values()):
         pass

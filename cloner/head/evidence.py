@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.profile import front_contour, outline
-from cloner.detectors.taught import taught_net
+from cloner.detectors.taught import propagate_to_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.head.ears import PointObservations, ear_observations, inner_observations
@@ -132,7 +132,7 @@ def front_evidence(
         net_px, vertices, fixed = np.array(proposal.face_px), np.zeros(0, dtype=np.int64), np.zeros((0, 2))
         if named is not None and named.corrected.any():
             vertices, fixed = _corrected_points(model, named)
-            net_px = net_px + params.taught * (taught_net(net_px, named) - net_px)
+            net_px = net_px + params.taught * (propagate_to_net(net_px, named) - net_px)
         edge = mask_outline(proposal) if view is ViewId.FACE_FRONT else None
         inside: tuple[CorrelatedPoints, ...] = ()
         if view is ViewId.FACE_FRONT and named is not None:

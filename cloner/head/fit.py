@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face.profile import lay_profile
+from cloner.detectors.face.profile import align_profile
 from cloner.fit.cameras import resect
 from cloner.fit.shapes import Evidence, ShapeFit, fit_shape, misfit
 from cloner.geometry.cameras.viewpoints import facing_camera
@@ -77,7 +77,7 @@ def initial_side_cameras(
     nose_px = side.points_px[side.names.index("nose_tip")]
     flat = (whole[vertices] - tip)[:, [2, 1]]
     size_px = 1.0 / first.metres_per_pixel(tip)
-    px_from_m, error = lay_profile(side.contour_px, flat, nose_px, size=size_px, facing=side.facing)
+    px_from_m, error = align_profile(side.contour_px, flat, nose_px, size=size_px, facing=side.facing)
     if error > LAID_M:
         return [named]
     laid = flat @ px_from_m[:, :2].T + px_from_m[:, 2]

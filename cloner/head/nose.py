@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face.cascade import Found, Pose, load_cascades, sided
+from cloner.detectors.face.cascade import FeaturePose, FoundFeature, load_cascades, side_names
 from cloner.detectors.face.face_front_features import find_half
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
@@ -53,19 +53,19 @@ def nose_observations(photo: Photo, proposal: Proposal, points: ViewPoints) -> t
     """
     out = []
     for side in "LR":
-        if {*sided(FEATURE, side), "pupil_L", "pupil_R"} <= set(points.names):
+        if {*side_names(FEATURE, side), "pupil_L", "pupil_R"} <= set(points.names):
             found, pose = find_half(photo, proposal, points.names, points.points_px, FEATURE, side)
             out.append(_half_nose(side, found, pose, points))
     return tuple(out)
 
 
-def _half_nose(side: str, found: Found, pose: Pose, points: ViewPoints) -> CorrelatedPoints:
+def _half_nose(side: str, found: FoundFeature, pose: FeaturePose, points: ViewPoints) -> CorrelatedPoints:
     """Return the points of half a nose with their joint errors, conditioned on those that an operator placed."""
     cascade = load_cascades()[FEATURE]
     usual = MEAN_OF_TWO * np.sqrt(np.diag(cascade.joint).reshape(-1, 2).sum(axis=1)).mean()
     joint = (HARDER * max(float(found.error_iod.mean() / usual), 1.0)) ** 2 * cascade.joint
     to_upright, places = pose.upright() / pose.iod_px, found.points_px
-    named = [points.names.index(name) for name in sided(FEATURE, side)]
+    named = [points.names.index(name) for name in side_names(FEATURE, side)]
     fixed = [k for k, row in enumerate(named) if points.corrected[row]]
     if fixed:
         away = (points.points_px[[named[k] for k in fixed]] - places[fixed]) @ to_upright.T

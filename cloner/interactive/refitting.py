@@ -24,10 +24,10 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ObeyedPoint, PointSet, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.obeyed import obey
-from cloner.stages.points import corrected, for_fitting
-from cloner.stages.silhouettes import astray_points
+from cloner.stages.points import apply_corrections, points_for_fit
+from cloner.stages.silhouettes import missed_points
 
-#: Stages that see of the body's points only what ``for_fitting`` and far outline points let through.
+#: Stages that see of the body's points only what ``points_for_fit`` and far outline points let through.
 FITTED: Final = ("views", "silhouettes", "phenotype", "fine", "join")
 
 
@@ -105,7 +105,7 @@ def moved_points(values: Mapping[str, Any], corrections: Corrections) -> tuple[P
                 for name, point in corrections.points.get(view, {}).items()
                 if (name in own.get(view, ())) == on_face
             }
-            sets[view] = corrected(_proposed(points), placed, photos.photos[view])
+            sets[view] = apply_corrections(_proposed(points), placed, photos.photos[view])
     return PointSet(moved["body_points"]), PointSet(moved["face_points"])
 
 
@@ -125,7 +125,7 @@ def same_fit(before: PointSet, after: PointSet, silhouettes: SilhouetteSet) -> b
     """
     if set(before.views) != set(after.views):
         return False
-    fitted = [PointSet({view: for_fitting(points) for view, points in one.views.items()}) for one in (before, after)]
+    fitted = [PointSet({view: points_for_fit(points) for view, points in one.views.items()}) for one in (before, after)]
     if not same_points(*fitted):
         return False
     return all(_same_trace(silhouettes.views[view], before.views[view], after.views[view]) for view in after.views)
@@ -133,7 +133,7 @@ def same_fit(before: PointSet, after: PointSet, silhouettes: SilhouetteSet) -> b
 
 def _same_trace(silhouette: Silhouette, before: ViewPoints, after: ViewPoints) -> bool:
     """Return whether one photo's outline would be traced alike: far points stay, and no other becomes far."""
-    far = set(astray_points(silhouette.contours_px, after))
+    far = set(missed_points(silhouette.contours_px, after))
     if not silhouette.through:
         return not far
     pairs = [(before.get(name), after.get(name)) for name in silhouette.through]

@@ -1,1 +1,1 @@
-"""What each pixel of a photo shows: skin, hair, beard, clothes, shoes, glasses, background."""
+"""Per-pixel labels of a photo: skin, hair, beard, clothes, shoes, glasses, background."""

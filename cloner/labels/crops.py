@@ -1,4 +1,4 @@
-"""Which parts of a photo the label net looks at: the whole person, and the head alone."""
+"""Crops for the label net: the whole person, and the head alone."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HEAD_SHARE: Final = _CALIBRATED.number("head_share", "share")
 
 
 def person_crop(person: NDArray[np.bool_], view: ViewId) -> Crop:
-    """Return the square around the whole person; of a face photo, all of it.
+    """Return the square around the whole person; of a face photo, the whole photo.
 
     Parameters
     ----------
@@ -40,8 +40,8 @@ def person_crop(person: NDArray[np.bool_], view: ViewId) -> Crop:
     return Crop(float(columns[0] + columns[-1]) / 2, float(rows[0] + rows[-1]) / 2, side, side)
 
 
-def cuts(crop: Crop, person: NDArray[np.float32]) -> bool:
-    """Return whether somebody seen in a crop goes on above or below it, in the photo still.
+def is_cut_by_crop(crop: Crop, person: NDArray[np.float32]) -> bool:
+    """Return whether a person in a crop continues above or below it, still inside the photo.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The label net: a small decoder over features of the pose and selfie nets, for labels and for what clothes hide.
+"""The label net: a small decoder over features of the pose and selfie nets, for labels and for the body under clothes.
 
 The two nets were taught by their makers on photographs of real people and stay as they are; the decoder's weights come
 from ``generic_models/build/train_labels.py``. It is small enough to be computed with matrix products and OpenCV's
@@ -41,7 +41,7 @@ def _weights() -> dict[str, Floats]:
 
 
 class Scores(NamedTuple):
-    """What the decoder says of a crop, before any softmax.
+    """Output of the decoder for a crop, before any softmax.
 
     Attributes
     ----------
@@ -58,8 +58,8 @@ class Scores(NamedTuple):
     parts: Floats
 
 
-def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
-    """Return the log-odds of every class, of every point's place and of every part of the naked body for a crop.
+def decode(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
+    """Return the logits of every class, of every point's heat map and of every part of the naked body for a crop.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
         The crop.
     """
     weights = _weights()
-    planes = [_standardised(weights, k, values) for k, values in enumerate(features)]
+    planes = [_standardise(weights, k, values) for k, values in enumerate(features)]
     picture = np.ascontiguousarray(rgb.transpose(2, 0, 1), np.float32) / np.float32(127.5) - np.float32(1.0)
     x: Floats | None = None
     points: Floats | None = None
@@ -77,33 +77,33 @@ def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
     for side, entering in LEVELS:
         joined = [planes[k] for k in entering]
         if side >= SIDE_PX // 2:
-            joined.append(_relu(_convolved(weights, f"r{side}", _halved(picture, side))))
+            joined.append(_relu(_convolve(weights, f"r{side}", _downsample(picture, side))))
         new = np.concatenate(joined)
-        mixed = _mixed(weights, f"i{side}", new)
+        mixed = _pointwise(weights, f"i{side}", new)
         if x is not None:  # mixed before it is enlarged: the same, for a quarter of the work
-            mixed += _doubled(_products(weights[f"i{side}.weight"][:, len(new) :], x))
+            mixed += _upsample(_mix_planes(weights[f"i{side}.weight"][:, len(new) :], x))
         x = _relu(mixed)
         block = 0
         while f"b{side}.{block}.dw.weight" in weights:
-            x = _separable(weights, f"b{side}.{block}", x)
+            x = _depthwise_block(weights, f"b{side}.{block}", x)
             block += 1
         if side == POINT_SIDE_PX:
-            points = _mixed(weights, "p64", x)
+            points = _pointwise(weights, "p64", x)
         if side == PART_SIDE_PX:
-            parts = _mixed(weights, "p128", x)
+            parts = _pointwise(weights, "p128", x)
     assert x is not None
     assert points is not None
     assert parts is not None
-    return Scores(_mixed(weights, "o", x), points, parts)
+    return Scores(_pointwise(weights, "o", x), points, parts)
 
 
-def shares_of(scores: Floats, axis: int | tuple[int, int] = 0) -> Floats:
-    """Return (C, h, w) probabilities from log-odds: they sum to one over the classes, or over each map's (1, 2)."""
+def probabilities(scores: Floats, axis: int | tuple[int, int] = 0) -> Floats:
+    """Return probabilities (C, h, w) from logits: softmax over the classes, or over each map's (1, 2)."""
     shares = np.exp(scores - scores.max(axis=axis, keepdims=True))
     return np.asarray(shares / shares.sum(axis=axis, keepdims=True), np.float32)
 
 
-def _standardised(weights: dict[str, Floats], index: int, values: Floats) -> Floats:
+def _standardise(weights: dict[str, Floats], index: int, values: Floats) -> Floats:
     planes = np.ascontiguousarray(values.transpose(2, 0, 1), np.float32)
     if f"m{index}" not in weights:  # a mask is in 0..1 already
         return planes
@@ -116,44 +116,44 @@ def _relu(x: Floats) -> Floats:
     return np.maximum(x, np.float32(0.0), out=x)
 
 
-def _mixed(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
-    """Return a 1 x 1 convolution of (C, h, w) planes by the first C columns of a matrix."""
-    return _products(weights[f"{name}.weight"][:, : len(x)], x) + weights[f"{name}.bias"][:, None, None]
+def _pointwise(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
+    """Return a 1 x 1 convolution of planes (C, h, w) by the first C columns of a matrix."""
+    return _mix_planes(weights[f"{name}.weight"][:, : len(x)], x) + weights[f"{name}.bias"][:, None, None]
 
 
-def _products(matrix: Floats, x: Floats) -> Floats:
-    """Return the (D, h, w) mixtures of (C, h, w) planes by a (D, C) matrix."""
+def _mix_planes(matrix: Floats, x: Floats) -> Floats:
+    """Return linear combinations (D, h, w) of planes (C, h, w) by a (D, C) matrix."""
     return np.asarray(matrix @ x.reshape(len(x), -1), np.float32).reshape(len(matrix), *x.shape[1:])
 
 
-def _separable(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
-    """Return a residual block: each plane filtered by itself, then all mixed."""
+def _depthwise_block(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
+    """Return a residual depthwise-separable block."""
     filters, shift = weights[f"{name}.dw.weight"], weights[f"{name}.dw.bias"]
-    each = [_filtered(plane, kernel) + offset for plane, kernel, offset in zip(x, filters, shift, strict=True)]
-    return np.asarray(x + _mixed(weights, f"{name}.pw", _relu(np.stack(each))), np.float32)
+    each = [_filter_plane(plane, kernel) + offset for plane, kernel, offset in zip(x, filters, shift, strict=True)]
+    return np.asarray(x + _pointwise(weights, f"{name}.pw", _relu(np.stack(each))), np.float32)
 
 
-def _convolved(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
-    """Return an ordinary convolution of (C, h, w) planes."""
+def _convolve(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
+    """Return a 3 x 3 convolution of planes (C, h, w)."""
     filters, shift = weights[f"{name}.weight"], weights[f"{name}.bias"]
     summed = [
-        sum((_filtered(plane, kernel) for plane, kernel in zip(x, bank, strict=True)), np.zeros_like(x[0])) + offset
+        sum((_filter_plane(plane, kernel) for plane, kernel in zip(x, bank, strict=True)), np.zeros_like(x[0])) + offset
         for bank, offset in zip(filters, shift, strict=True)
     ]
     return np.stack(summed).astype(np.float32)
 
 
-def _filtered(plane: Floats, kernel: Floats) -> Floats:
+def _filter_plane(plane: Floats, kernel: Floats) -> Floats:
     return np.asarray(cv2.filter2D(plane, cv2.CV_32F, kernel, borderType=cv2.BORDER_CONSTANT), np.float32)
 
 
-def _halved(picture: Floats, side: int) -> Floats:
+def _downsample(picture: Floats, side: int) -> Floats:
     """Return a (C, 256, 256) picture at a smaller side, averaged."""
     step = picture.shape[1] // side
     return np.asarray(picture.reshape(len(picture), side, step, side, step).mean(axis=(2, 4)), np.float32)
 
 
-def _doubled(x: Floats) -> Floats:
-    """Return (C, h, w) planes at twice their size, bilinear."""
+def _upsample(x: Floats) -> Floats:
+    """Return planes (C, h, w) at twice their size, bilinear."""
     size = (2 * x.shape[2], 2 * x.shape[1])
     return np.stack([cv2.resize(plane, size, interpolation=cv2.INTER_LINEAR) for plane in x])

@@ -1,4 +1,4 @@
-"""Where photos show the frame of glasses."""
+"""The frame of glasses in photos."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ def wears_glasses(proposals: Proposals) -> bool:
     return State.GLASSES in read_states({ViewId.FACE_FRONT: front.labels}, front.face_px)
 
 
-def frame_of(proposal: Proposal) -> Flags:
-    """Return (H, W) the pixels of the frame in a photo of somebody who wears glasses."""
+def glasses_frame(proposal: Proposal) -> Flags:
+    """Return the pixels (H, W) of the frame in a photo of somebody who wears glasses."""
     if proposal.face_presence > 0.0:
-        return _in_front(proposal.labels, proposal.face_px)
+        return _frame_in_front(proposal.labels, proposal.face_px)
     if proposal.view is ViewId.FACE_SIDE:
-        return _from_aside(proposal.labels)
+        return _frame_from_side(proposal.labels)
     return np.zeros(proposal.labels.shape, np.bool_)
 
 
-def _in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> Flags:
+def _frame_in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> Flags:
     (x, y), apart = eyes_span(face_px)
     rows, columns = np.ogrid[: labels.shape[0], : labels.shape[1]]
     above, below, aside = (share * apart for share in _BAND)
@@ -48,7 +48,7 @@ def _in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> Flags:
     return np.asarray(_pieces(labels == Label.ACCESSORY, band) & band, np.bool_)
 
 
-def _from_aside(labels: NDArray[np.uint8]) -> Flags:
+def _frame_from_side(labels: NDArray[np.uint8]) -> Flags:
     worn = labels == Label.ACCESSORY
     own = shows(labels, Label.FACE_SKIN, Label.EYES)
     rim = (cv2.dilate(worn.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0) & ~worn
@@ -62,7 +62,7 @@ def _from_aside(labels: NDArray[np.uint8]) -> Flags:
 
 
 def _pieces(worn: Flags, band: Flags) -> Flags:
-    """Return the pieces that lie mostly in a band."""
+    """Return the connected pieces that lie mostly in a band."""
     _, pieces, stats, _ = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
     inside = np.bincount(pieces[band], minlength=len(stats))
     kept = inside > _OWN * stats[:, cv2.CC_STAT_AREA]

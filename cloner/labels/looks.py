@@ -1,4 +1,4 @@
-"""What the label net sees in a photo, the person as a whole and the head from near, before anything is decided."""
+"""Class probabilities of a photo by the label net: the whole person, and the head at a larger scale."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.crops import head_crop, person_crop
-from cloner.labels.decoder import SIDE_PX, Scores, decoded, shares_of
-from cloner.labels.naked_edges import IN_HEAD, IN_PERSON, NO_EDGES, naked_edges
-from cloner.labels.points import points_seen
+from cloner.labels.decoder import SIDE_PX, Scores, decode, probabilities
+from cloner.labels.naked_edges import IN_HEAD, IN_PERSON, NO_EDGES, body_edges
+from cloner.labels.points import locate_points
 from cloner.records.labels import Label
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.photographs.head_frame import HeadFrame, find_head
@@ -36,8 +36,8 @@ RIM: Final = _CALIBRATED.number("rim", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Looks:
-    """What the label net sees in a photo, before anything is decided.
+class LabelEvidence:
+    """Class probabilities of a photo by the label net, before any decision.
 
     Attributes
     ----------
@@ -62,14 +62,14 @@ class Looks:
     naked_px: Points
 
     def person(self, shape: tuple[int, ...]) -> Floats:
-        """Return (H, W) the probability that a pixel of the photo shows the person."""
-        found = 1.0 - sized(self.whole[Label.BACKGROUND], shape)
+        """Return the probability (H, W) that a pixel shows the person."""
+        found = 1.0 - resized_to(self.whole[Label.BACKGROUND], shape)
         if self.near is not None and self.box is not None:
-            found[self.box] = 1.0 - sized(self.near[Label.BACKGROUND], found[self.box].shape)
+            found[self.box] = 1.0 - resized_to(self.near[Label.BACKGROUND], found[self.box].shape)
         return np.asarray(found, np.float32)
 
 
-def look(
+def label_evidence(
     rgb: Photo,
     person: NDArray[np.bool_],
     view: ViewId,
@@ -77,8 +77,8 @@ def look(
     *,
     face_points: Points | None = None,
     pose_points: Points | None = None,
-) -> Looks:
-    """Return what the label net sees in a photo: the person as a whole, and the head alone.
+) -> LabelEvidence:
+    """Return the label net's output for a photo: the whole person, and the head alone.
 
     Parameters
     ----------
@@ -96,35 +96,37 @@ def look(
     """
     crop = person_crop(person, view)
     scores = _scores(rgb, crop, features)
-    points = points_seen(scores.points, crop, view) if view.is_body else np.zeros((0, 2))
-    naked = naked_edges(scores.parts, crop, IN_PERSON) if view.is_body else NO_EDGES
-    whole = _in_photo(shares_of(scores.classes), crop, person.shape)
+    points = locate_points(scores.points, crop, view) if view.is_body else np.zeros((0, 2))
+    naked = body_edges(scores.parts, crop, IN_PERSON) if view.is_body else NO_EDGES
+    whole = _in_photo(probabilities(scores.classes), crop, person.shape)
     head = find_head(person, face_points, str(view), pose_points)
     near = head_crop(head)
     box = _box(near, person.shape)
     if box is None:
-        return Looks(whole, None, None, head, points, naked)
+        return LabelEvidence(whole, None, None, head, points, naked)
     close = _scores(rgb, near, features)
     if view.is_body:
-        naked = np.concatenate([naked, naked_edges(close.parts, near, IN_HEAD)])
-    return Looks(whole, _blended(shares_of(close.classes), near, whole, box, person.shape), box, head, points, naked)
+        naked = np.concatenate([naked, body_edges(close.parts, near, IN_HEAD)])
+    return LabelEvidence(
+        whole, _blend_head(probabilities(close.classes), near, whole, box, person.shape), box, head, points, naked
+    )
 
 
 def _scores(rgb: Photo, crop: Crop, features: Features) -> Scores:
-    """Return what the label net says of a crop."""
+    """Return the label net's output for a crop."""
     image = cut(rgb, crop, width=SIDE_PX, height=SIDE_PX)
-    return decoded(features(image), image)
+    return decode(features(image), image)
 
 
 def _in_photo(shares: Floats, crop: Crop, shape: tuple[int, ...]) -> Floats:
-    """Return the probabilities (11, h, w) of a whole photo, its long side ``WORK_PX`` at most."""
+    """Return the probabilities (11, h, w) of a whole photo, its long side at most ``WORK_PX``."""
     scale = min(1.0, WORK_PX / max(shape))
     size = (max(1, round(shape[1] * scale)), max(1, round(shape[0] * scale)))
-    return _warped(shares, crop, (0.0, 0.0, float(shape[1]), float(shape[0])), size)
+    return _resampled(shares, crop, (0.0, 0.0, float(shape[1]), float(shape[0])), size)
 
 
-def _warped(shares: Floats, crop: Crop, box: tuple[float, float, float, float], size: tuple[int, int]) -> Floats:
-    """Return a crop's planes in a box (left, top, width, height) of the photo, resampled to a (width, height).
+def _resampled(shares: Floats, crop: Crop, box: tuple[float, float, float, float], size: tuple[int, int]) -> Floats:
+    """Return a crop's planes in a box (left, top, width, height) of the photo, resampled to (width, height).
 
     Beyond the crop all is background.
     """
@@ -142,28 +144,30 @@ def _warped(shares: Floats, crop: Crop, box: tuple[float, float, float, float], 
     return np.stack(planes)
 
 
-def sized(plane: Floats, shape: tuple[int, ...]) -> Floats:
+def resized_to(plane: Floats, shape: tuple[int, ...]) -> Floats:
     """Return a plane at the size of a photo (H, W, ...), bilinear."""
     return np.asarray(cv2.resize(plane, (shape[1], shape[0]), interpolation=cv2.INTER_LINEAR), np.float32)
 
 
 def _box(crop: Crop, shape: tuple[int, ...]) -> tuple[slice, slice] | None:
-    """Return the rows and columns of the photo that a crop covers; None where it covers next to nothing."""
+    """Return the rows and columns of the photo that a crop covers, None where it covers next to nothing."""
     half = crop.width_px / 2
     top, left = int(max(crop.y_px - half, 0)), int(max(crop.x_px - half, 0))
     bottom, right = int(min(crop.y_px + half, shape[0])), int(min(crop.x_px + half, shape[1]))
     return None if bottom - top < 8 or right - left < 8 else (slice(top, bottom), slice(left, right))
 
 
-def _blended(close: Floats, crop: Crop, shares: Floats, box: tuple[slice, slice], shape: tuple[int, ...]) -> Floats:
-    """Return the probabilities in the head's box: the near look inside, the whole person's at its rim."""
+def _blend_head(close: Floats, crop: Crop, shares: Floats, box: tuple[slice, slice], shape: tuple[int, ...]) -> Floats:
+    """Return the probabilities in the head's box: those of the head crop inside, blended to the whole person's at its
+    border.
+    """
     rows, columns = box
     height, width = rows.stop - rows.start, columns.stop - columns.start
     scale = min(1.0, HEAD_PX / max(height, width))
     size = (max(1, round(width * scale)), max(1, round(height * scale)))
     place = (float(columns.start), float(rows.start), float(width), float(height))
-    near = _warped(close, crop, place, size)
-    weight = _warped(_rim()[None], crop, place, size)[0]
+    near = _resampled(close, crop, place, size)
+    weight = _resampled(_blend_weights()[None], crop, place, size)[0]
     ratio = shares.shape[1] / shape[0], shares.shape[2] / shape[1]
     cut_rows = slice(int(rows.start * ratio[0]), int(np.ceil(rows.stop * ratio[0])))
     cut_columns = slice(int(columns.start * ratio[1]), int(np.ceil(columns.stop * ratio[1])))
@@ -171,8 +175,8 @@ def _blended(close: Floats, crop: Crop, shares: Floats, box: tuple[slice, slice]
     return np.asarray(far + weight * (near - far), np.float32)
 
 
-def _rim() -> Floats:
-    """Return (256, 256) how much the near look counts: all inside, nothing at the border."""
+def _blend_weights() -> Floats:
+    """Return the weights (256, 256) of the head crop: one inside, zero at the border."""
     away = np.minimum(np.arange(SIDE_PX), np.arange(SIDE_PX)[::-1]) / (RIM * SIDE_PX)
     side = np.clip(away, 0.0, 1.0)
     return np.asarray(np.minimum(side[:, None], side[None, :]), np.float32)

@@ -1,4 +1,4 @@
-"""Where trunk, thighs and neck end under clothes and hair, row by row, as the label net sees them."""
+"""Row-wise edges of trunk, thighs and neck under clothes and hair, by the label net."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.labels.decoder import PART_SIDE_PX, shares_of
+from cloner.labels.decoder import PART_SIDE_PX, probabilities
 from cloner.vision.photographs.crops import Crop, move_points, photo_px_from_crop
 
 Floats = NDArray[np.float32]
@@ -25,7 +25,7 @@ ARMS: Final = slice(3, 9)
 NO_EDGES: Final = np.zeros((0, 4))
 
 
-def naked_edges(scores: Floats, crop: Crop, read: Mapping[int, tuple[int, ...]]) -> NDArray[np.float64]:
+def body_edges(scores: Floats, crop: Crop, read: Mapping[int, tuple[int, ...]]) -> NDArray[np.float64]:
     """Return where parts of the naked body begin and end in every row of the net's picture.
 
     Parameters
@@ -42,7 +42,7 @@ def naked_edges(scores: Floats, crop: Crop, read: Mapping[int, tuple[int, ...]])
         `TRUNK` (down to the knees), `LEFT_THIGH`, `RIGHT_THIGH` or `NECK` (and all below it); row, left and right end
         in photo px. Rows are left out where an arm lies over an end.
     """
-    shares = shares_of(scores)
+    shares = probabilities(scores)
     arms = shares[ARMS].sum(axis=0)
     photo_from_crop = photo_px_from_crop(crop, width=PART_SIDE_PX, height=PART_SIDE_PX)
     found = []
@@ -58,7 +58,7 @@ def naked_edges(scores: Floats, crop: Crop, read: Mapping[int, tuple[int, ...]])
 
 
 def _end(share: Floats, arms: Floats, last: int, step: int) -> float | None:
-    """Return where a share falls to a half beyond its last column; None where an arm or the picture's border is."""
+    """Return where a probability falls to a half beyond its last column, None where an arm or the border is."""
     beyond = last + step
     if not 0 <= beyond < len(share) or arms[beyond] > 0.5:
         return None

@@ -1,4 +1,4 @@
-"""Skin of the body has the colour of the person's own: dark tights below a coat are none."""
+"""The person's own skin colour against clothes of similar colour, such as tights below a coat."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ BEYOND: Final = _CALIBRATED.number("beyond", "factor")
 WRISTS: Final = [NAMES.index(f"{side}_wrist") for side in "lr"]
 
 
-def without_strange_skin(
+def relabel_foreign_skin(
     rgb: NDArray[np.uint8], labels: NDArray[np.uint8], seen_px: NDArray[np.float64], *, faced: bool
 ) -> NDArray[np.uint8]:
-    """Return a body photo's labels, in which skin of a colour that the person's cannot have is clothes.
+    """Return a body photo's labels with skin of a colour that cannot be the person's relabelled as clothes.
 
     What the person's skin is tell hands, and the face where it shows; what the clothes are, those around by colour.
 
@@ -44,7 +44,7 @@ def without_strange_skin(
     person = box_around(labels != Label.BACKGROUND)
     figure, shown = float(person[0].stop - person[0].start), labels[person]
     skin = shown == Label.BODY_SKIN
-    known = skin & _around(shown.shape, seen_px[WRISTS] - (person[1].start, person[0].start), HANDS * figure)
+    known = skin & _near_points(shown.shape, seen_px[WRISTS] - (person[1].start, person[0].start), HANDS * figure)
     if faced:
         known |= shown == Label.FACE_SKIN
     if np.count_nonzero(known) <= SMALLEST * figure**2:
@@ -63,8 +63,8 @@ def without_strange_skin(
     return found
 
 
-def _around(shape: tuple[int, ...], points_px: NDArray[np.float64], reach_px: float) -> NDArray[np.bool_]:
-    """Return (H, W) pixels near some points."""
+def _near_points(shape: tuple[int, ...], points_px: NDArray[np.float64], reach_px: float) -> NDArray[np.bool_]:
+    """Return the pixels (H, W) near some points."""
     disc = np.zeros(shape, np.uint8)
     for point in np.round(points_px).astype(int).tolist():
         cv2.circle(disc, tuple(point), round(reach_px), 1, -1)
@@ -78,7 +78,7 @@ def _clothes_around(
     colour: NDArray[np.float64],
     reach_px: int,
 ) -> int:
-    """Return the label of the clothes around a piece (H, W) whose colour is the nearest; lower clothes without any."""
+    """Return the clothes label around a piece (H, W) with the closest colour; lower clothes without any."""
     rim = cv2.dilate(inside.astype(np.uint8), np.ones((2 * reach_px + 1,) * 2, np.uint8)) > 0
     beside = {int(label): rim & shows(labels, label) for label in GARMENTS}
     gaps = {

@@ -1,4 +1,4 @@
-"""The label picture of one photo."""
+"""The label image of one photo."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.labels.looks import Floats, Looks, Photo, Points, sized
-from cloner.labels.own_skin import without_strange_skin
+from cloner.labels.looks import Floats, LabelEvidence, Photo, Points, resized_to
+from cloner.labels.own_skin import relabel_foreign_skin
 from cloner.records.labels import Label, shows
 from cloner.vision.photographs.head_frame import HeadFrame
 from cloner.vision.retouching.repair import nearest_known
@@ -26,9 +26,14 @@ SMALL_BY_NATURE: Final = (Label.EYES, Label.MOUTH)
 
 
 def label_photo(
-    rgb: Photo, person: NDArray[np.bool_], looks: Looks, face_points: Points | None = None, *, faced: bool = True
+    rgb: Photo,
+    person: NDArray[np.bool_],
+    looks: LabelEvidence,
+    face_points: Points | None = None,
+    *,
+    faced: bool = True,
 ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Return what every pixel of a photo shows, and how sure that is.
+    """Return the label of every pixel and its probability.
 
     Parameters
     ----------
@@ -49,19 +54,19 @@ def label_photo(
     confidence : (H, W) uint8
         Probability of the label, 255 is certain.
     """
-    labels, sure = _decided(looks.whole, person.shape)
+    labels, sure = _most_likely(looks.whole, person.shape)
     if looks.near is not None and looks.box is not None:
         box = looks.box
-        labels[box], sure[box] = _decided(looks.near, labels[box].shape)
+        labels[box], sure[box] = _most_likely(looks.near, labels[box].shape)
         _draw_hair(labels, looks.near[Label.HAIR], rgb, person, box, looks.head, face_points)
     labels[~person] = Label.BACKGROUND
     labels = without_collars(labels, looks.head.chin_px)
     labels = without_specks(labels, SPECK * looks.head.head_px**2)
-    return (without_strange_skin(rgb, labels, looks.seen_px, faced=faced) if len(looks.seen_px) else labels), sure
+    return (relabel_foreign_skin(rgb, labels, looks.seen_px, faced=faced) if len(looks.seen_px) else labels), sure
 
 
-def _decided(shares: Floats, shape: tuple[int, ...]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Return the likeliest class of the person at the photo's size, and its share of all classes but background."""
+def _most_likely(shares: Floats, shape: tuple[int, ...]) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Return the person's most likely class at the photo's size, and its share of all classes but background."""
     own = shares[1:]
     best = (own.argmax(axis=0) + 1).astype(np.uint8)
     sure = np.round(255 * own.max(axis=0) / np.maximum(own.sum(axis=0), 1e-6)).astype(np.uint8)
@@ -85,7 +90,7 @@ def _draw_hair(
     part = labels[box]
     if not (part == Label.HAIR).any():
         return
-    coarse = sized(hair, part.shape)
+    coarse = resized_to(hair, part.shape)
     shift = np.array([box[1].start, box[0].start], np.float64)
     face = None if face_points is None else face_points[:, :2] - shift
     fine = draw_edge(rgb[box], coarse, person[box], face, head.head_px, head.ear_px - shift[1])
@@ -95,7 +100,7 @@ def _draw_hair(
 
 
 def without_collars(labels: NDArray[np.uint8], chin_px: float) -> NDArray[np.uint8]:
-    """Return a label picture without hair that begins below the chin: hair hangs from the scalp, collars do not.
+    """Return a label image without hair that begins below the chin: hair hangs from the scalp, collars do not.
 
     Parameters
     ----------
@@ -118,7 +123,7 @@ def without_collars(labels: NDArray[np.uint8], chin_px: float) -> NDArray[np.uin
 
 
 def without_specks(labels: NDArray[np.uint8], least_px: float) -> NDArray[np.uint8]:
-    """Return a label picture whose small pieces have become what lies nearest to them.
+    """Return a label image whose small components have the label of what is nearest to them.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a person wears or lacks, read off the label pictures: bald, bearded, in glasses, in a hat, on bare feet."""
+"""Attributes of the person, read off the label images: bald, bearded, glasses, hat, bare feet."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _BROWS: Final = (105, 334)
 
 
 class State(StrEnum):
-    """Something about a person that the fit and the textures treat in their own way."""
+    """An attribute that fit and textures treat differently."""
 
     BALD = "bald"
     BEARD = "beard"
@@ -39,7 +39,7 @@ class State(StrEnum):
 
 
 def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.float64] | None) -> frozenset[State]:
-    """Return what the face photos show of the person.
+    """Return the attributes that the face photos show.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def eyes_span(face_px: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]
 
 
 def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, ...]:
-    """Return how much of the bands above the eyes' corners, and below the left and the right one, is something worn.
+    """Return the share of accessories in the bands above the eyes' corners, and below the left and the right one.
 
     Heavy brows are above alone, an earring or a clip is on one side.
     """
@@ -89,7 +89,7 @@ def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> 
 
 
 def _fringe_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, float]:
-    """Return how much of each eye's surroundings is hair, the picture's left first."""
+    """Return the share of hair around each eye, the image's left first."""
     middle, apart = eyes_span(face_px)
     low, high = middle - (0.65 * apart, 0.15 * apart), middle + (0.65 * apart, 0.2 * apart)
     left, right = _box(labels, low, np.array([middle[0], high[1]])), _box(labels, np.array([middle[0], low[1]]), high)
@@ -98,7 +98,7 @@ def _fringe_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> t
 
 
 def _above_the_brows(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the share of every label in what is above the brows; none where there is nothing."""
+    """Return the share of every label above the brows, none where there is nothing."""
     (x, _), apart = eyes_span(face_px)
     brows = float(face_px[list(_BROWS), 1].min()) - 0.2 * apart
     box = _box(labels, np.array([x - 1.2 * apart, 0.0]), np.array([x + 1.2 * apart, brows]))

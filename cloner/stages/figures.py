@@ -1,4 +1,4 @@
-"""Who is in a photo and where: pose, mask and labels, as the pose net and the label net see them together."""
+"""The person in a photo: pose, mask and labels, by pose net and label net together."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.pose_order import read_again
-from cloner.detectors.face.found import Face, face_behind_hair, face_in
+from cloner.detectors.body.pose_order import pose_by_mirror
+from cloner.detectors.face.found import Face, frontal_face, frontal_face_behind_hair
 from cloner.detectors.nets.portraits import is_cut_below
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.labels.crops import cuts, person_crop
-from cloner.labels.looks import Looks, look
+from cloner.labels.crops import is_cut_by_crop, person_crop
+from cloner.labels.looks import LabelEvidence, label_evidence
 from cloner.labels.photo import label_photo
 from cloner.records.photos import Photo
 from cloner.vision.segmentation.masks import refine_mask
@@ -33,16 +33,16 @@ MOST_UNSURE = _CALIBRATED.number("most_unsure", "share")
 
 
 class NobodySeen(ClonerError):
-    """No net sees a person in a photo."""
+    """No net detects a person in a photo."""
 
 
-def nobody_in(photo: Photo) -> NobodySeen:
-    """Return the refusal of a photo in which no net sees a person."""
+def nobody_seen(photo: Photo) -> NobodySeen:
+    """Return the error for a photo in which no net detects a person."""
     return NobodySeen("no person found in this photo", "Take it again with one person in full view", photo.name)
 
 
 def check_people(photo: Photo) -> Box:
-    """Return the one person, or face, in a photo; refuse it without exactly one.
+    """Return the one person, or face, in a photo; raise unless there is exactly one.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def check_people(photo: Photo) -> Box:
     """
     people: list[Box] = DETECTORS.get("people")(photo.rgb)
     if not people:
-        raise nobody_in(photo)
+        raise nobody_seen(photo)
     if len(people) > 1:
         raise ClonerError(
             f"{len(people)} people found in this photo", "Take it again with one person alone in view", photo.name
@@ -63,7 +63,7 @@ def check_people(photo: Photo) -> Box:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Figure:
-    """Where the person is in a photo.
+    """Pose, face, mask and labels of the person in a photo.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class Figure:
     inside : (H, W) bool
     labels : (H, W) uint8
     face : tuple
-        As :func:`cloner.detectors.face.found.face_in` gives it.
+        As :func:`cloner.detectors.face.found.frontal_face` gives it.
     seen_px : (21, 2) or (0, 2)
         Joints and points under clothes.
     naked_px : (N, 4)
@@ -101,37 +101,39 @@ def find_figure(photo: Photo) -> Figure:
     try:
         pose = DETECTORS.get("pose")(photo.rgb, check_people(photo))
     except NobodySeen:
-        pose = _pose_unseen(photo)
+        pose = _pose_of_undetected(photo)
     if pose is None:
-        raise nobody_in(photo)
-    pose = read_again(photo.rgb, photo.view, pose, DETECTORS.get("pose"))
+        raise nobody_seen(photo)
+    pose = pose_by_mirror(photo.rgb, photo.view, pose, DETECTORS.get("pose"))
     if float((pose.mask > 0.5).mean()) < LEAST_PERSON:
-        raise nobody_in(photo)
-    face = face_in(photo)
-    looks = _look(photo, pose.mask, pose.points_px, face)
-    if photo.view.is_body and cuts(person_crop(pose.mask > 0.5, photo.view), looks.person(pose.mask.shape)):
-        whole = _pose_unseen(photo)  # the detector's circle ended at the shins
+        raise nobody_seen(photo)
+    face = frontal_face(photo)
+    looks = _label_person(photo, pose.mask, pose.points_px, face)
+    if photo.view.is_body and is_cut_by_crop(person_crop(pose.mask > 0.5, photo.view), looks.person(pose.mask.shape)):
+        whole = _pose_of_undetected(photo)  # the detector's circle ended at the shins
         if whole is not None:
-            pose = read_again(photo.rgb, photo.view, whole, DETECTORS.get("pose"))
-            looks = _look(photo, pose.mask, pose.points_px, face)
+            pose = pose_by_mirror(photo.rgb, photo.view, whole, DETECTORS.get("pose"))
+            looks = _label_person(photo, pose.mask, pose.points_px, face)
     return _figure(photo, pose.points_px, np.asarray(pose.visibility, dtype=np.float64), pose.mask, face, looks)
 
 
-def _pose_unseen(photo: Photo) -> PoseResult | None:
-    """Return the pose of somebody whom no detector sees, or not whole; None where there is none."""
+def _pose_of_undetected(photo: Photo) -> PoseResult | None:
+    """Return the pose of a person whom no detector sees, or not completely; None where there is none."""
     if photo.view is ViewId.FACE_SIDE:
         return cast(PoseResult | None, DETECTORS.get("pose_with_room")(photo.rgb))
     standing = standing_mask(photo) if photo.view.is_body else None
     return None if standing is None else DETECTORS.get("pose_in_mask")(photo.rgb, standing)
 
 
-def _look(photo: Photo, rough: NDArray[np.float32], pose_px: NDArray[np.float64], face: Face) -> Looks:
-    """Return what the label net sees of somebody who is roughly (H, W) known."""
+def _label_person(photo: Photo, rough: NDArray[np.float32], pose_px: NDArray[np.float64], face: Face) -> LabelEvidence:
+    """Return the label net's output for a person whose rough mask (H, W) is known."""
     features = DETECTORS.get("label_features")
-    return look(photo.rgb, rough > 0.5, photo.view, features, face_points=_shown(face), pose_points=pose_px)
+    return label_evidence(
+        photo.rgb, rough > 0.5, photo.view, features, face_points=_is_face_shown(face), pose_points=pose_px
+    )
 
 
-def _shown(face: Face) -> NDArray[np.float64] | None:
+def _is_face_shown(face: Face) -> NDArray[np.float64] | None:
     return face[0] if face[2] > 0.0 else None
 
 
@@ -141,37 +143,37 @@ def _figure(
     visibility: NDArray[np.float64],
     rough: NDArray[np.float32],
     face: Face,
-    looks: Looks,
+    looks: LabelEvidence,
 ) -> Figure:
-    """Return what is in a photo whose person is roughly (H, W) known.
+    """Return the figure of a person whose rough mask (H, W) is known.
 
     Raises
     ------
     NobodySeen
         If next to nothing of the photo is the person.
     """
-    shown = _shown(face)
+    shown = _is_face_shown(face)
     labelled = looks.person(rough.shape)
-    rough = both_masks(rough, labelled) if photo.view.is_face else undenied(rough, labelled)
+    rough = merge_masks(rough, labelled) if photo.view.is_face else veto_by_labels(rough, labelled)
     mask = refine_mask(photo.rgb, rough, pose_px if photo.view.is_body and visibility.any() else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
-        raise nobody_in(photo)
+        raise nobody_seen(photo)
     labels, _ = label_photo(photo.rgb, mask > 0.5, looks, shown, faced=photo.view is not ViewId.BODY_BACK)
     if shown is None and visibility.any():
-        face = face_behind_hair(photo, pose_px, labels) or face
+        face = frontal_face_behind_hair(photo, pose_px, labels) or face
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
     return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.seen_px, looks.naked_px)
 
 
-def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (H, W) the person's probability in a face photo from the selfie net's mask and that of the label net."""
+def merge_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the person's probability (H, W) in a face photo, from the selfie net's mask and the label net's."""
     first, second = (np.clip(each, 0.01, 0.99) for each in (posed, labelled))
     odds = (1.0 - LABELLED) * np.log(first / (1.0 - first)) + LABELLED * np.log(second / (1.0 - second))
     return np.asarray(1.0 / (1.0 + np.exp(-odds)), np.float32)
 
 
-def undenied(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (H, W) the person's probability in a body photo: the pose net's, even odds where the label net is sure of
+def veto_by_labels(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the person's probability (H, W) in a body photo: the pose net's, one half where the label net is sure of
     the opposite.
 
     Either takes what stands behind a limb for a part of it now and then, seldom both; the photo's colours decide there.
@@ -181,38 +183,38 @@ def undenied(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArr
 
 
 def find_hidden_figure(photo: Photo) -> Figure | None:
-    """Return a portrait in which no body or face is seen, as the label net sees it; None where that is torn.
+    """Return a portrait without a detected body or face as the label net sees it, None where that falls apart.
 
     Its pose is unknown: all points lie in the mask's middle and none is visible.
     """
-    mask = _seen_anywhere(photo)
+    mask = _label_mask(photo)
     if not _is_whole(mask) or not is_cut_below(mask.astype(np.float64)):
         return None
     rows, columns = np.nonzero(mask > 0.5)
     pose = np.tile(np.array([columns.mean(), rows.mean()]), (33, 1))
-    face = face_in(photo)
-    return _figure(photo, pose, np.zeros(33), mask, face, _look(photo, mask, pose, face))
+    face = frontal_face(photo)
+    return _figure(photo, pose, np.zeros(33), mask, face, _label_person(photo, mask, pose, face))
 
 
-def _seen_anywhere(photo: Photo) -> NDArray[np.float32]:
-    """Return (H, W) the probability of a person as the label net sees it in the whole photo."""
+def _label_mask(photo: Photo) -> NDArray[np.float32]:
+    """Return the person's probability (H, W) by the label net over the whole photo."""
     everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
-    return look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
+    return label_evidence(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
 
 
 def standing_mask(photo: Photo) -> NDArray[np.bool_] | None:
-    """Return the (H, W) standing figure that the label net sees in a body photo, None where it sees none."""
-    mask = _seen_anywhere(photo)
+    """Return the standing person's probability (H, W) by the label net in a body photo, None where it sees none."""
+    mask = _label_mask(photo)
     inside = np.asarray(mask > 0.5, np.bool_)
-    return inside if _is_whole(mask) and not is_cut_below(mask.astype(np.float64)) and _stands(inside) else None
+    return inside if _is_whole(mask) and not is_cut_below(mask.astype(np.float64)) and _is_standing(inside) else None
 
 
 def _is_whole(mask: NDArray[np.float32]) -> bool:
-    """Whether a (H, W) probability is a person's: large enough, and sure where it ends."""
+    """Return whether a probability (H, W) is a whole person's: large enough, with a sharp boundary."""
     person, unsure = float((mask > 0.5).mean()), float(((mask > 0.1) & (mask < 0.9)).mean())
     return person >= LEAST_PERSON and unsure <= MOST_UNSURE * person
 
 
-def _stands(inside: NDArray[np.bool_]) -> bool:
+def _is_standing(inside: NDArray[np.bool_]) -> bool:
     rows, columns = (np.ptp(np.flatnonzero(inside.any(axis=axis))) for axis in (1, 0))
     return bool(rows > UPRIGHT * columns)

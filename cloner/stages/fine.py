@@ -1,4 +1,4 @@
-"""Fine skin from silhouettes (paper §3.6), then a settling of the whole rim.
+"""Fine skin from silhouettes (paper §3.6), then a smooth settling of the whole silhouette on all outlines.
 
 Slices of the grid segments are moved by T_i,m so that they reproduce the
 silhouette's pixels; head, hands and feet are never pushed by slices. Afterwards
@@ -43,7 +43,7 @@ from cloner.records.photos import Person
 from cloner.records.points import PointSet, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.points import for_fitting
+from cloner.stages.points import points_for_fit
 from cloner.stages.rough import shape_slices
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
@@ -54,7 +54,7 @@ FOOT_TRUST: Final = _CALIBRATED.number("foot_trust", "share")
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """How finely slices are cut and how softly the skin settles.
+    """Number of slices and smoothness of the settling.
 
     Its numbers: ``cloner/calibration/stages.toml``, ``[fine.*]``.
 
@@ -77,8 +77,8 @@ class Params:
     direction_turns: int = 20
 
 
-def rim_trust() -> Array:
-    """Return (V,) how far the outline moves each vertex when the skin settles.
+def settling_weights() -> Array:
+    """Return the weight (V,) with which the outline moves each vertex when the skin settles.
 
     Not head, toes and soles, little the fingers.
     """
@@ -95,18 +95,20 @@ def rim_trust() -> Array:
     return trust
 
 
-def beyond_cloth(photo: OutlinedPhoto, pixels: Array) -> NDArray[np.bool_]:
-    """Return (M,) whether the body at pixels (M, 2) sticks out of the outline: there it gives way to cloth too."""
+def outside_cloth(photo: OutlinedPhoto, pixels: Array) -> NDArray[np.bool_]:
+    """Return whether (M,) the body at pixels (M, 2) lies outside an outline of cloth, which then counts too."""
     return np.asarray(photo.field.signed_distance(pixels) > 0.0)
 
 
-def neck_trust() -> Array:
-    """Return (V,) how far the outline moves each vertex of the neck of a joined person; everything else stays."""
+def neck_settling_weights() -> Array:
+    """Return the weight (V,) with which the outline moves each vertex of a joined person's neck; all
+    others are fixed.
+    """
     generic = load_generic()
     return np.where(generic.region("neck") & generic.skin, 1.0, 0.0)
 
 
-def settled(
+def settle_on_outlines(
     mesh: BodyMesh, photos: tuple[OutlinedPhoto, ...], reach_mm: float, params: Params, trust: Array
 ) -> BodyMesh:
     """Return the body after one smooth displacement of its skin on to all outlines.
@@ -139,7 +141,7 @@ def settled(
         reach_px = reach_mm / seen.mm_per_px
         nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
         keep = distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35)
-        keep &= ~photo.field.veiled | (photo.field.draped & beyond_cloth(photo, seen.body.pixels[rim[nearest]]))
+        keep &= ~photo.field.veiled | (photo.field.draped & outside_cloth(photo, seen.body.pixels[rim[nearest]]))
         vertex = rim[nearest[keep]]
         normal = photo.field.normals[keep]
         wanted = np.einsum("ka,ka->k", photo.field.samples_px[keep] - seen.body.pixels[vertex], normal)
@@ -167,10 +169,10 @@ def settled(
     return BodyMesh(unfolded(mesh.vertices_m, moved, triangles), mesh.joints_m)
 
 
-def extremities(
+def fit_extremities(
     mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto], sole_m: float, joints: Mapping[ViewId, ObservedJoints]
 ) -> tuple[BodyMesh, dict[ViewId, OutlinedPhoto]]:
-    """Return the body with hands and feet of the photos' size, and the photos with limbs turned to it."""
+    """Return the body with hands and feet of the photos' size, and the photos with limb poses fitted to it."""
     start, usual, spread = shape_feet(mesh, sole_m, FeetParams())
     feet = len(usual)
 
@@ -181,8 +183,8 @@ def extremities(
     return fit_limb_poses(sizer, size, photos, joints, StanceParams())
 
 
-def residuals_of(mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto]) -> tuple[Residual, ...]:
-    """Return how far the body's rim lies from the outline in every photo, whole and per part, and the overlap."""
+def outline_residuals(mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto]) -> tuple[Residual, ...]:
+    """Return the distance from silhouette to outline in every photo, whole and per part, and the overlap."""
     residuals = []
     for view, photo in photos.items():
         seen = posed_silhouette(mesh, photo)
@@ -203,7 +205,9 @@ def run(
     person: Person,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the body: two after slices, front and back with the side, and their mean settled on all photos at once."""
+    """Produce the body: front and back, each with the side, after slices, and their mean settled on
+    all photos at once.
+    """
     params = Params()
     photos = outlined_photos(phenotype, silhouettes, proposals)
     if not photos:
@@ -217,14 +221,14 @@ def run(
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
-    points = {view: for_fitting(of_view) for view, of_view in body_points.views.items()}
+    points = {view: points_for_fit(of_view) for view, of_view in body_points.views.items()}
     joints_seen = observed_joints(phenotype, proposals, points)
-    consensus, photos = extremities(consensus, photos, phenotype.sole_m, joints_seen)
+    consensus, photos = fit_extremities(consensus, photos, phenotype.sole_m, joints_seen)
     for number, reach in enumerate(params.settle_reach_mm):
-        consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
+        consensus = settle_on_outlines(consensus, tuple(photos.values()), reach, params, settling_weights())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
     consensus = fit_tape_measures(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
     return StageResult(
         {"body": FineBody(consensus, {view: photo.posed for view, photo in photos.items()})},
-        residuals_of(consensus, photos),
+        outline_residuals(consensus, photos),
     )

@@ -1,4 +1,4 @@
-"""Stage: the hair as a volume of its own over the head, and loose clothing as one around the legs.
+"""Stage: hair as a volume over the head, and loose clothing as a surface around the legs.
 
 References
 ----------
@@ -90,7 +90,7 @@ def run(
     tick: Callable[[float], None],
     params: Params | None = None,
 ) -> StageResult:
-    """Return the hair's shell, or none with the reason as a warning, then a beard's, loose clothing's and glasses'.
+    """Produce the shells: hair (or the reason for none as a warning), beard, loose clothing and glasses.
 
     Residuals: median and largest thickness of the cap, mm.
     """
@@ -102,20 +102,20 @@ def run(
     neck_m = np.array([neck[:, 0].mean(), neck[:, 1].min(), neck[:, 2].mean()])
     views = with_whole_coverings(views, photos.photos, proposals, *scalp, neck_m)
     views = with_lost_hair(views, photos.photos, head_middle(generic, joined))
-    alike, odd = with_like_amounts(generic, joined, views)
+    alike, odd = consistent_views(generic, joined, views)
     hair = grow_hair(photos, proposals, alike, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
     scarf = scarf_shell(generic, joined, photos, proposals, views)
-    worn = (*(one for one in (beard, scarf) if one is not None), *loose, *worn_glasses(photos, proposals, joined))
+    worn = (*(one for one in (beard, scarf) if one is not None), *loose, *make_glasses(photos, proposals, joined))
     shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *worn)
     return StageResult({"shells": shells}, hair.residuals, (*odd, *hair.warnings, *((SAID,) if loose else ())))
 
 
-def with_like_amounts(
+def consistent_views(
     generic: GenericHuman, joined: Joined, views: list[HairView]
 ) -> tuple[list[HairView], tuple[str, ...]]:
-    """Return the evidence without photos whose hair is not that of the others, and a sentence for each of those."""
+    """Return the views without photos whose hair disagrees with the others, and a sentence for each of those."""
     odd = odd_views(views, head_middle(generic, joined))
     said = tuple(
         f"{view}: the hair is {share:.1f} times as large here as in the other photos, so this photo's was not used; "
@@ -126,12 +126,12 @@ def with_like_amounts(
 
 
 def head_middle(generic: GenericHuman, joined: Joined) -> Array:
-    """Return (3,) the head's middle at the height of the ears' tops, at rest."""
+    """Return the middle (3,) of the head at the height of the ears' tops, at rest."""
     ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
-    return np.array([middle_of(generic, joined), ears[:, 1].max(), ears[:, 2].mean()])
+    return np.array([median_plane_x(generic, joined), ears[:, 1].max(), ears[:, 2].mean()])
 
 
-def worn_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tuple[Shell, ...]:
+def make_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tuple[Shell, ...]:
     """Return the glasses that the face's front photo shows, if any."""
     if ViewId.FACE_FRONT not in joined.views or not wears_glasses(proposals):
         return ()
@@ -148,7 +148,7 @@ def grow_hair(
     tick: Callable[[float], None],
     params: Params,
 ) -> StageResult:
-    """Return one hair shell, or none with the reason as a warning, and the thickness of its cap."""
+    """Return the hair shell, or none with the reason as a warning, and the thickness of its cap."""
     generic = load_generic()
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
@@ -164,8 +164,8 @@ def grow_hair(
     if hairy < params.least_share or thick.size == 0 or float(np.median(thick)) < params.thinnest_mm:
         return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
     tick(0.4)
-    skin = skin_of(generic, joined, scalp)
-    mesh = hair_mesh(generic, joined, levelled(generic, joined, views, scalp), scalp, skin, params)
+    skin = tucked_skin(generic, joined, scalp)
+    mesh = hair_mesh(generic, joined, with_common_height(generic, joined, views, scalp), scalp, skin, params)
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
@@ -177,7 +177,7 @@ def grow_hair(
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     vertices = settled[used]
-    surface = with_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
+    surface = add_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
     hats = worn_views(views, proposals) if peaked.any() or reach_mm is not None else []
     worn = (peaked, hats) if peaked.any() else None
@@ -201,7 +201,7 @@ def grow_hair(
     return StageResult({"shells": (shell,) if cards is None else (shell, cards)}, residuals)
 
 
-def with_peak(
+def add_peak(
     generic: GenericHuman,
     joined: Joined,
     views: list[HairView],
@@ -209,7 +209,9 @@ def with_peak(
     scalp: Scalp,
     surface: tuple[Array, NDArray[np.int32], Array],
 ) -> tuple[Array, NDArray[np.int32], Array]:
-    """Return a hair's vertices, triangles and distances inside its edge, mm, with the peak photos show."""
+    """Return a hair's vertices, triangles and distances inside its edge, mm, with the peak of a cap
+    that photos show.
+    """
     ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
     cap = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
     peak = find_peak(views, proposals, cap, float(ears[:, 1].mean()))
@@ -231,13 +233,13 @@ def head_rows(generic: GenericHuman) -> NDArray[np.int64]:
     return np.asarray(generic.head_vertices[skin & ~inside], dtype=np.int64)
 
 
-def middle_of(generic: GenericHuman, joined: Joined) -> float:
-    """Return x of the head's middle, metres."""
+def median_plane_x(generic: GenericHuman, joined: Joined) -> float:
+    """Return x of the head's median plane, metres."""
     return float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
 
 
 def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> Scalp:
-    """Return the hair measured on the head's vertices."""
+    """Return the hair measured at the head's vertices."""
     rows = head_rows(generic)
     triangles = body_triangles()
     normals = vertex_normals(joined.vertices_m, triangles)
@@ -248,19 +250,19 @@ def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> 
     own = np.ascontiguousarray(own[(own >= 0).all(axis=1)])
     points, scalp = joined.vertices_m[rows], generic.region("scalp")[rows]
     ears = generic.region("ear_left")[rows] | generic.region("ear_right")[rows]
-    tail = find_tail(views, points, own, middle_of(generic, joined))
+    tail = find_tail(views, points, own, median_plane_x(generic, joined))
     return measure_scalp(views, points, normals[rows], own, graph.part(rows), scalp, ears, tail)
 
 
-def skin_of(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array, Array]:
-    """Return vertices (M, 3) of the whole body's skin, the scalp's tucked in, and their normals."""
+def tucked_skin(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array, Array]:
+    """Return vertices (M, 3) of the whole body's skin, the scalp tucked in, and their normals."""
     skin, tucked = generic.vertex_part == generic.part_names.index("body"), joined.vertices_m.copy()
     tucked[head_rows(generic)] = scalp.points_m
     return tucked[skin], vertex_normals(tucked, body_triangles())[skin]
 
 
-def levelled(generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp) -> list[HairView]:
-    """Return the evidence with one height of hair over the ears."""
+def with_common_height(generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp) -> list[HairView]:
+    """Return the views with one height of hair over the ears."""
     ears = generic.region("ear_left") | generic.region("ear_right")
     return with_one_crown(views, scalp.points_m, float(joined.vertices_m[ears, 1].mean()))
 
@@ -275,7 +277,7 @@ def hair_mesh(
 ) -> tuple[Array, NDArray[np.int32]] | None:
     """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty.
 
-    ``skin`` is what :func:`skin_of` gives.
+    ``skin`` is what :func:`tucked_skin` gives.
     """
     reach = np.array([params.margin_m, 0.0, params.margin_m])
     low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
@@ -285,5 +287,5 @@ def hair_mesh(
     # Ears are folds: by the planes of their skin the hair above them would lie in the head, which left a hole.
     smooth = ~ear[generic.vertex_part == generic.part_names.index("body")]
     body = skin[0][smooth], skin[1][smooth]
-    field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), level)
+    field, skin_mm = hair_field(views, scalp, body, low, high, median_plane_x(generic, joined), level)
     return mesh_of(field, skin_mm, low, params.triangles, params.smallest_piece)

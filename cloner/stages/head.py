@@ -1,4 +1,4 @@
-"""The head: shape basis and cameras of the face photos together, then DFFD (method §8)."""
+"""Stage: the head, by shape basis and cameras of the face photos together, then DFFD (method §8)."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ LOOK_TURNS = 6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shaped:
+class ShapedHead:
     """The head after the basis, after DFFD, the controls' displacements (K, 3), the side evidence used, and the jaws'
     openings (2,) in front and side photo, radians.
     """
@@ -72,7 +72,7 @@ def run(
     phenotype: Phenotype,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the fitted head.
+    """Produce the fitted head.
 
     Residuals: "front points" px and percent of the inter-ocular distance (finished head against the net's points and
     against the named proposals), "profile" mm, "height disagreement" mm of points both photos show, "head size"
@@ -100,7 +100,9 @@ def run(
     pivot = model.joints_m[model.generic.joint("skullbase")]
     fitted = scaled_about(fitted, scale, pivot)
     jaws = shaped.jaws_rad
-    whole = place_eyes_and_mouth(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals))
+    whole = place_eyes_and_mouth(
+        model.vertices_m, model.whole(fitted.head_m), _eye_observation(fitted, front, proposals)
+    )
     head = whole[model.generic.head_vertices]
     fitted = FittedHead(head, fitted.front, fitted.side)
     log.residuals.append(Residual("head size against the phenotype", 100.0 * (scale - 1.0), "percent"))
@@ -126,20 +128,22 @@ def shape_head(
     params: Params,
     log: FitLog,
     tick: Callable[[float], None],
-) -> Shaped:
+) -> ShapedHead:
     """Return the head's shape, step by step, in the phenotype's own size."""
     front, side = evidence
     sizes = _sizes(photos, phenotype, front, side, params, log)
-    zoom_sigma = params.distance_sigma if front is not None and _unknown(photos, front) else 0.0
+    zoom_sigma = params.distance_sigma if front is not None and _focal_is_unknown(photos, front) else 0.0
     coefficients, fitted = _fit(model, front, side, sizes, params, tick, zoom_sigma)
     if front is not None and side is not None and front.view is ViewId.FACE_FRONT:
-        coefficients, fitted, side = _look_aside(model, photos, front, side, coefficients, fitted, zoom_sigma, params)
+        coefficients, fitted, side = _fit_with_matches(
+            model, photos, front, side, coefficients, fitted, zoom_sigma, params
+        )
     tick(0.6)
     relief, moved = add_relief(model, fitted, front, side, coefficients, load_head_controls(), params)
-    return Shaped(fitted, relief, moved, side, model.jaws_rad(coefficients))
+    return ShapedHead(fitted, relief, moved, side, model.jaws_rad(coefficients))
 
 
-def _unknown(photos: PhotoSet, front: FrontEvidence) -> bool:
+def _focal_is_unknown(photos: PhotoSet, front: FrontEvidence) -> bool:
     """Return whether nothing tells the focal length of the front photo."""
     return front.view is ViewId.FACE_FRONT and not photos.photos[front.view].focal_35mm
 
@@ -153,7 +157,7 @@ def _fit(
     tick: Callable[[float], None],
     zoom_sigma: float,
 ) -> tuple[Array, FittedHead]:
-    """Return coefficients and head: the front photo first, then both together.
+    """Return coefficients and head: first of the front photo, then of both together.
 
     With ``zoom_sigma`` the focal lengths are unknown: they start where the face is as far away as people stand.
     """
@@ -174,7 +178,7 @@ def _fit(
     return coefficients, fitted
 
 
-def _look_aside(
+def _fit_with_matches(
     model: HeadModel,
     photos: PhotoSet,
     front: FrontEvidence,
@@ -184,7 +188,7 @@ def _look_aside(
     zoom_sigma: float,
     params: Params,
 ) -> tuple[Array, FittedHead, SideEvidence]:
-    """Return the fit after looking up in the side photo what the front photo shows, and that evidence."""
+    """Return the fit after matching front skin in the side photo, and that evidence."""
     pictures = (photos.photos[ViewId.FACE_FRONT].rgb, photos.photos[ViewId.FACE_SIDE].rgb)
     for _ in range(params.looks):
         if fitted.front is None or fitted.side is None:
@@ -245,8 +249,8 @@ def _cameras(
     return out
 
 
-def _sight(fitted: FittedHead, front: FrontEvidence | None, proposals: Proposals) -> EyeObservation | None:
-    """Return what the front photo of the face shows of the eyes."""
+def _eye_observation(fitted: FittedHead, front: FrontEvidence | None, proposals: Proposals) -> EyeObservation | None:
+    """Return the eyes in the face's front photo."""
     if front is None or fitted.front is None or front.view is not ViewId.FACE_FRONT:
         return None
     proposal = proposals.views[front.view]
@@ -256,7 +260,7 @@ def _sight(fitted: FittedHead, front: FrontEvidence | None, proposals: Proposals
 def _iris(
     photos: PhotoSet, proposals: Proposals, model: HeadModel, fitted: FittedHead, front: FrontEvidence | None
 ) -> Array:
-    """Return the iris colour of the front photo, or brown."""
+    """Return the iris colour of the front photo, brown by default."""
     if front is None or fitted.front is None:
         return BROWN
     whole = model.whole(fitted.head_m)

@@ -1,4 +1,6 @@
-"""A photo in which no net sees anybody: hair, a hood or a cap may hide the face. The other photos tell of it."""
+"""A photo in which no net detects anybody, because hair, a hood or a cap covers the face: colours of the other photos
+help.
+"""
 
 from __future__ import annotations
 
@@ -66,13 +68,13 @@ def _small_mask(rgb: Picture, mask: Bools) -> Bools:
 
 
 def _lab(rgb: Picture) -> NDArray[np.float32]:
-    """Return 8-bit Lab with its lightness weighed."""
+    """Return 8-bit Lab with scaled lightness."""
     lab = cv2.cvtColor(rgb, cv2.COLOR_RGB2Lab).astype(np.float32)
     return np.asarray(lab * np.array(_WEIGHTS, np.float32), np.float32)
 
 
 def _centres(lab: NDArray[np.float32], count: int) -> NDArray[np.float32]:
-    """Return the middles of the clusters of some colours."""
+    """Return the cluster centres of some colours."""
     cv2.setRNGSeed(0)
     stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 0.5)
     best = np.zeros((len(lab), 1), np.int32)

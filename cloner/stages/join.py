@@ -1,4 +1,4 @@
-"""Head and body become one person (paper §4).
+"""Stage: head and body joined (paper §4).
 
 The head takes the place the body gives it; the neck belongs to the body. The
 generic human's skin is one mesh, so the two meet by a smooth blend over the neck
@@ -40,8 +40,8 @@ from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages.fine import Params as FineParams
-from cloner.stages.fine import neck_trust, settled
-from cloner.stages.points import for_fitting
+from cloner.stages.fine import neck_settling_weights, settle_on_outlines
+from cloner.stages.points import points_for_fit
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.join")
@@ -53,7 +53,7 @@ NECK_REACH_MM = _CALIBRATED.pair("neck_reach_mm", "mm")
 
 
 def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
-    """Return (V, 3) vertices: the head's on the head, the body's below, blended over the neck."""
+    """Return vertices (V, 3): the head's on the head, the body's below, blended over the neck."""
     vertices = body.vertices_m.copy()
     share = generic.head_blend[generic.head_vertices].astype(np.float64)[:, None]
     place = generic.head_vertices
@@ -62,7 +62,7 @@ def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
 
 
 def flat_soles(generic: GenericHuman, vertices_m: Array, sole_m: float) -> Array:
-    """Return the vertices with the soles flat at ``-sole_m`` and nothing below them; a toe's spring stays."""
+    """Return the vertices with flat soles at ``-sole_m`` and nothing below; a toe spring is kept."""
     flat = vertices_m.copy()
     flat[:, 1] = np.maximum(flat[:, 1], -sole_m)
     treads = generic.region("sole") & (flat[:, 1] < -sole_m + TREAD_M)
@@ -71,7 +71,7 @@ def flat_soles(generic: GenericHuman, vertices_m: Array, sole_m: float) -> Array
 
 
 def neck_shares(generic: GenericHuman) -> Array:
-    """Return how far each joint (94,) moves with the head: the neck's as the skin they carry, those above fully."""
+    """Return the weight (94,) with which each joint moves with the head: the neck's partly, those above fully."""
     shares, skull = np.zeros(len(generic.joint_names)), generic.joint("skullbase")
     for name in NECK:
         carried = generic.carried_by(name)
@@ -85,7 +85,7 @@ def neck_shares(generic: GenericHuman) -> Array:
 
 
 def to_stature(generic: GenericHuman, mesh: BodyMesh, stature_m: float) -> tuple[BodyMesh, float]:
-    """Return the person with the skull's top exactly at the stature, and how far the head was lifted, metres.
+    """Return the person with the skull's top exactly at the stature, and the head's vertical shift, metres.
 
     No photo shows the skull under hair, but its height is known. What lacks is shared by the head's place, whose lift
     the neck takes up, and by the vault above the eyes, which is stretched more the higher.
@@ -99,36 +99,36 @@ def to_stature(generic: GenericHuman, mesh: BodyMesh, stature_m: float) -> tuple
     return BodyMesh(vertices, joints), lift
 
 
-def slim_neck(mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto], poses: dict[ViewId, PosedView]) -> Array:
-    """Return the vertices with the neck on the photos' outlines: body and head bring no neck of the person's own."""
+def fit_neck(mesh: BodyMesh, photos: dict[ViewId, OutlinedPhoto], poses: dict[ViewId, PosedView]) -> Array:
+    """Return the vertices with the neck settled on the photos' outlines."""
     carried_photos = tuple(OutlinedPhoto(poses[view], photo.field) for view, photo in photos.items())
     if not carried_photos:
         return mesh.vertices_m
     for reach_mm in NECK_REACH_MM:
-        mesh = settled(mesh, carried_photos, reach_mm, FineParams(), neck_trust())
+        mesh = settle_on_outlines(mesh, carried_photos, reach_mm, FineParams(), neck_settling_weights())
     return mesh.vertices_m
 
 
-def lifted(camera: Camera, up_m: float) -> Camera:
-    """Return the camera that sees what was lifted as it saw it before."""
+def lift_camera(camera: Camera, up_m: float) -> Camera:
+    """Return the camera that sees a shifted head as it saw the head before."""
     matrix = camera.camera_from_model.copy()
     matrix[:3, 3] -= matrix[:3, 1] * up_m
     return replace(camera, camera_from_model=matrix)
 
 
-def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[ViewId, OutlinedPhoto]:
-    """Return the face photos prepared for comparison with the lifted head."""
+def face_photos_for_neck(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[ViewId, OutlinedPhoto]:
+    """Return the face photos with outlines for the shifted head."""
     photos = {}
     for view, camera in head.cameras.items():
         if view.is_face and view in proposals.views:
             rotations = jaw_rotations(load_generic(), head.jaws_rad.get(view, 0.0))
-            posed = PosedView(view, lifted(camera, risen_m), rotations)
+            posed = PosedView(view, lift_camera(camera, risen_m), rotations)
             photos[view] = OutlinedPhoto(posed, mask_outline_field(proposals.views[view]))
     return photos
 
 
 def face_errors_m(mesh: BodyMesh, near: Mapping[ViewId, OutlinedPhoto], proposals: Proposals) -> Array:
-    """Return what the face net makes of this person (468, 2), metres, as the front photo of the face shows it."""
+    """Return the face net's errors (468, 2) on this person, metres, from the front photo of the face."""
     modes, view = load_head_modes(), ViewId.FACE_FRONT
     if view not in near or proposals.views[view].face_presence <= 0.0:
         return modes.bias_m
@@ -139,7 +139,7 @@ def face_errors_m(mesh: BodyMesh, near: Mapping[ViewId, OutlinedPhoto], proposal
 
 
 def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Array:
-    """Return the joints with those of the eyes in the eyeballs' centres, about which they turn."""
+    """Return the joints with those of the eyes at the eyeballs' centres, about which they rotate."""
     out = joints_m.copy()
     for side in ("left", "right"):
         out[generic.joint(f"{side[0]}_eyeball_joint")] = eyeball(vertices_m, side).centre
@@ -157,7 +157,7 @@ def run(
     phenotype: Phenotype,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the joined person, standing on the floor.
+    """Produce the joined person, standing on the floor.
 
     Residual: the distance between the head's and the body's own neck where they
     are blended, before blending.
@@ -171,9 +171,9 @@ def run(
     vertices = evened_tips(flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m))
     mesh, risen = to_stature(generic, BodyMesh(vertices, body.mesh.joints_m), phenotype.stature_m)
     outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
-    seen = {view: for_fitting(points) for view, points in body_points.views.items()}
+    seen = {view: points_for_fit(points) for view, points in body_points.views.items()}
     faces = {view: proposals.views[view].face_px for view in outlined if proposals.views[view].face_presence > 0.0}
-    near = near_photos(head, proposals, risen)
+    near = face_photos_for_neck(head, proposals, risen)
     lines = hair_fields(proposals, silhouettes, {**outlined, **near})
     poses = fit_head_poses(
         mesh,
@@ -185,9 +185,10 @@ def run(
         partial(match_face_skin, mesh, photos),
     )
     lift = np.array([0.0, phenotype.sole_m, 0.0])
-    vertices, joints = slim_neck(mesh, outlined, poses) + lift, mesh.joints_m + lift
+    vertices, joints = fit_neck(mesh, outlined, poses) + lift, mesh.joints_m + lift
     views = {
-        view: PosedView(view, lifted(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in poses.items()
+        view: PosedView(view, lift_camera(posed.camera, phenotype.sole_m), posed.rotations)
+        for view, posed in poses.items()
     }
     names, index, delta, start = face_targets(vertices)
     value = Joined(

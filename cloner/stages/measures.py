@@ -1,4 +1,4 @@
-"""Measures of the body under its clothes, and what of it cloth covers (method: beyond the paper)."""
+"""Stage: measures of the body under its clothes, and what cloth covers (beyond the paper)."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ WAISTS: Final = ("narrowest_waist_girth", "waist_girth", "navel_girth")
 STRANGE: Final = _CALIBRATED.number("strange", "factor")
 
 
-def measured(
+def estimate_measures(
     shown_mm: Mapping[str, float],
     person: Person,
     cover: Mapping[str, Cover],
@@ -51,7 +51,7 @@ def measured(
     hidden: NDArray[np.bool_] = NOT_HIDDEN,
     under_mm: Array | None = None,
 ) -> tuple[MeasureSet, tuple[str, ...]]:
-    """Return the measures of a photographed person and sentences about what makes some of them doubtful.
+    """Return the measures of a photographed person, and sentences on what makes some of them doubtful.
 
     Parameters
     ----------
@@ -79,7 +79,10 @@ def measured(
     share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
     values = {key: _measure(key, found, prior, shown_mm, dict(person.tape_mm), share) for key in MEASURE_KEYS}
     fits = [dict(zip(FITS, map(float, each), strict=True)) for each in (found.upper_fit, found.lower_fit)]
-    return MeasureSet(values, cover, *fits), (*_unsure(hidden), *_strange(photos_say, prior, person, share))
+    return MeasureSet(values, cover, *fits), (
+        *_hidden_waist(hidden),
+        *_unlikely_tapes(photos_say, prior, person, share),
+    )
 
 
 def _measure(
@@ -96,8 +99,8 @@ def _measure(
     return Measure(value, TAPE_ERROR_MM if key in tape_mm else half, shown_mm.get(key), key in tape_mm)
 
 
-def _unsure(hidden: NDArray[np.bool_]) -> tuple[str, ...]:
-    """Return a sentence when an arm hides the waist's depth."""
+def _hidden_waist(hidden: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Return a sentence when an arm covers the waist's depth."""
     if not hidden[[ALL_KEYS.index(key) for key in WAISTS]].any():
         return ()
     return (
@@ -106,8 +109,8 @@ def _unsure(hidden: NDArray[np.bool_]) -> tuple[str, ...]:
     )
 
 
-def _strange(photos_say: Estimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:
-    """Return a sentence for every tape that the photos make unlikely."""
+def _unlikely_tapes(photos_say: Estimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:
+    """Return a sentence for every tape measure that the photos make unlikely."""
     told = []
     for key, tape in person.tape_mm:
         row = ALL_KEYS.index(key)
@@ -121,8 +124,8 @@ def _strange(photos_say: Estimate, prior: MeasurePrior, person: Person, share: f
     return tuple(told)
 
 
-def unseen(shown_mm: Mapping[str, float]) -> MeasureSet:
-    """Return the measures of a body that no photo showed: those of its mesh, without a ±."""
+def measures_of_mesh(shown_mm: Mapping[str, float]) -> MeasureSet:
+    """Return the measures of a body without photos: those of its mesh, without a ±."""
     return MeasureSet({key: Measure(shown_mm[key], None, shown_mm[key]) for key in MEASURE_KEYS})
 
 
@@ -136,16 +139,16 @@ def run(
     person: Person,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
+    """Produce the measures of the joined person; the residual is the distance from silhouette to outlines."""
     outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     if not outlined:
         shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
-        return StageResult({"measures": unseen(shown)})
+        return StageResult({"measures": measures_of_mesh(shown)})
     tick(0.4)
     told = gathered(joined, body.mesh, outlined, silhouettes, proposals)
     tick(0.7)
     hidden_keys = LOOSE_KEYS if told.around_legs else frozenset()
-    found, warnings = measured(
+    found, warnings = estimate_measures(
         {key: value for key, value in told.shown_mm.items() if key not in hidden_keys},
         person,
         told.cover,

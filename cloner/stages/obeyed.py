@@ -1,4 +1,4 @@
-"""Corrections obeyed, as the last step of the body: what an operator placed wins, where it was placed.
+"""Stage: corrections enforced on the joined person, as the last step of the body.
 
 Points on the outline bend the skin around them until the clone's outline passes through them (``obeyed_skin.py``);
 joints, and features of head and feet, turn that photo's pose (``obeyed_pose.py``), and the skin in rest pose stays.
@@ -37,7 +37,7 @@ SCALE_NOTE = "it sets the scale of its photo; hair and soles are no skin that co
 
 
 def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
-    """Return the person after all corrections are obeyed, and how well each is.
+    """Return the person with all corrections enforced, and how well each one is met.
 
     Parameters
     ----------
@@ -58,11 +58,11 @@ def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) ->
     if not placed:
         return joined, ()
     views = {view: posed for view, posed in joined.views.items() if view.is_body}
-    scales = [_scale(joined, views[view], name, point) for view, name, point in placed if name in ENDS]
-    outlines = [Wish(*one) for one in placed if one[1] not in ENDS and _on_outline(one[1])]
-    on_skin = [wish for wish in outlines if not _on_cloth(silhouettes.views.get(wish.view), wish.target_px)]
+    scales = [_stature_message(joined, views[view], name, point) for view, name, point in placed if name in ENDS]
+    outlines = [Wish(*one) for one in placed if one[1] not in ENDS and _is_on_outline(one[1])]
+    on_skin = [wish for wish in outlines if not _is_on_cloth(silhouettes.views.get(wish.view), wish.target_px)]
     cloths = [ObeyedPoint(w.view, w.name, "cloth", 0.0, 0.0) for w in outlines if w not in on_skin]
-    on_pose = [Wish(*one) for one in placed if one[1] not in ENDS and _posed(one[1])]
+    on_pose = [Wish(*one) for one in placed if one[1] not in ENDS and _is_pose_point(one[1])]
     joints, views, poses = obey_pose(joined.vertices_m, joined.joints_m, views, on_pose)
     vertices, skins = obey_skin(joined.vertices_m, joints, views, on_skin, joined.stature_m)
     vertices = vertices.copy()
@@ -72,24 +72,24 @@ def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) ->
     return person, (*scales, *poses, *skins, *cloths)
 
 
-def _on_cloth(silhouette: Silhouette | None, point_px: Array) -> bool:
+def _is_on_cloth(silhouette: Silhouette | None, point_px: Array) -> bool:
     if silhouette is None:
         return False
     margin = FAR * float(np.count_nonzero(silhouette.mask.any(axis=1)))
     return any(bool(region.covers(point_px[None], margin_px=margin)[0]) for region in silhouette.loose)
 
 
-def _on_outline(name: str) -> bool:
+def _is_on_outline(name: str) -> bool:
     return name.startswith(ANCHOR) or (name in load_generic().feature_names and name.startswith(ON_OUTLINE))
 
 
-def _posed(name: str) -> bool:
+def _is_pose_point(name: str) -> bool:
     generic = load_generic()
     return name in generic.joint_names or (name in generic.feature_names and not name.startswith(ON_OUTLINE))
 
 
-def _scale(joined: Joined, posed: PosedView, name: str, point_px: Array) -> ObeyedPoint:
-    """Return what is told of a head top or sole: how much higher or lower the person's own is in the photo."""
+def _stature_message(joined: Joined, posed: PosedView, name: str, point_px: Array) -> ObeyedPoint:
+    """Return the message for a head top or sole: how much higher or lower the person's own is in the photo."""
     generic = load_generic()
     part = "head" if name == ENDS[0] else f"{name.removeprefix('sole_')}_foot"
     own = scene_of(joined.vertices_m, joined.joints_m, posed).pixels[generic.segment(part), 1]
@@ -98,7 +98,7 @@ def _scale(joined: Joined, posed: PosedView, name: str, point_px: Array) -> Obey
     return ObeyedPoint(posed.view, name, "scale", away, away, 0.0, SCALE_NOTE)
 
 
-def bent_silhouettes(
+def bend_silhouettes(
     silhouettes: SilhouetteSet, body_points: BodyPoints, obeyed: tuple[ObeyedPoint, ...]
 ) -> SilhouetteSet:
     """Return the outlines bent through the corrected points on them; the others are the same objects."""
@@ -107,12 +107,12 @@ def bent_silhouettes(
     for view, points in body_points.views.items():
         rows = [k for k, name in enumerate(points.names) if (view, name) in followed]
         if rows and view in views:
-            views[view] = _bent(views[view], points.points_px[rows])
+            views[view] = _bend_outline(views[view], points.points_px[rows])
     return SilhouetteSet(views)
 
 
-def _bent(silhouette: Silhouette, fixed_px: Array) -> Silhouette:
-    """Return an outline that passes through the points, each on the contour nearest to it."""
+def _bend_outline(silhouette: Silhouette, fixed_px: Array) -> Silhouette:
+    """Return an outline through the points, each on the contour nearest to it."""
     distances = np.stack([cKDTree(contour).query(fixed_px)[0] for contour in silhouette.contours_px])
     whose = np.argmin(distances, axis=0)
     contours, mask = list(silhouette.contours_px), silhouette.mask.copy()
@@ -131,13 +131,13 @@ def run(
     silhouettes: SilhouetteSet,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the person and the outlines with corrections obeyed, and how well each is.
+    """Produce the person and the outlines with corrections enforced, and how well each one is met.
 
     Residual: the worst distance of the clone from a corrected point, px.
     """
     person, told = obey(joined, body_points, silhouettes)
     tick(0.8)
-    outlines = bent_silhouettes(silhouettes, body_points, told) if told else silhouettes
+    outlines = bend_silhouettes(silhouettes, body_points, told) if told else silhouettes
     worst = [one.after_px for one in told if one.kind in ("outline", "pose")]
     residuals = (Residual("corrected point, worst", max(worst), "px"),) if worst else ()
     values: Mapping[str, object] = {"obeyed": person, "obeyed_silhouettes": outlines, "obeyed_points": told}
@@ -145,7 +145,7 @@ def run(
 
 
 def warnings_of(told: tuple[ObeyedPoint, ...]) -> tuple[str, ...]:
-    """Return one sentence for every corrected point that could not be obeyed."""
+    """Return a sentence for every corrected point that could not be met."""
     return tuple(
         f"{one.view}: the corrected point {one.name} could not be obeyed: {one.note}" for one in told if one.is_missed
     )

@@ -1,4 +1,4 @@
-"""The nearest generic human, and the pose and camera of every body photo.
+"""Stage: the nearest generic human, and pose and camera of every body photo.
 
 Method §7 "Beyond": shape coefficients, one pose a photo and the perspective
 cameras are solved together, first to the joints, then to the outlines too, before
@@ -26,11 +26,13 @@ from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
-from cloner.stages.points import for_fitting
+from cloner.stages.points import points_for_fit
 
 
-def beyond_ends(body: BodyFamily, state: BodyState, evidence: dict[ViewId, PhotoEvidence]) -> dict[ViewId, float]:
-    """Return per photo how far the outline's top lies above the skull, metres."""
+def height_above_skull(
+    body: BodyFamily, state: BodyState, evidence: dict[ViewId, PhotoEvidence]
+) -> dict[ViewId, float]:
+    """Return the height of the outline's top above the skull in each photo, metres."""
     top = body.points(np.array([body.generic.feature("head_top")]))
     reach = {}
     for view, seen in evidence.items():
@@ -50,11 +52,16 @@ def run(
     person: Person,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the phenotype with one pose and camera per body photo."""
+    """Produce the phenotype with one pose and camera per body photo."""
     params, generic, hair_mm = Params(), load_generic(), hair_height_mm(proposals, silhouettes)
     evidence = {
         view: gather_evidence(
-            seen, for_fitting(body_points.views[view]), silhouettes.views[view], proposals.views[view], hair_mm, params
+            seen,
+            points_for_fit(body_points.views[view]),
+            silhouettes.views[view],
+            proposals.views[view],
+            hair_mm,
+            params,
         )
         for view, seen in views.views.items()
     }
@@ -71,7 +78,7 @@ def run(
         term = outline_term(body, seen, state, params, params.reach_mm[-1])
         pixels = state.camera(seen).project(term.model.posed(state.shape, state.poses[view]))
         residuals.append(Residual("outline gap", term.gap_mm(pixels, seen.mm_per_px), "mm", view.value))
-    above = list(beyond_ends(body, state, evidence).values())
+    above = list(height_above_skull(body, state, evidence).values())
     residuals.append(Residual("height normalisation", mm_from_m(float(np.ptp(above)) / 2.0), "mm"))
     coefficients = state.shape[WORN:]
     sole = sole_height(body.wear, float(state.shape[0]))

@@ -1,4 +1,4 @@
-"""Does each photo show what its name says? All that tells is weighed; only what is certainly wrong is refused.
+"""Checks that each photo shows what its name says, by the sum of log odds; only certain mistakes are refused.
 
 Every sign gives its weight for one answer as the logarithm of odds, and so does the photo's name: people exchange
 photos seldom. What each sign is on photos that show the one and the other was measured on 40 generated people and the
@@ -45,7 +45,7 @@ _HINT: Final = "Rename or retake the photos so that each shows what its name say
 
 
 def check_photos(proposals: Proposals, photos: PhotoSet) -> None:
-    """Refuse photos that were exchanged or that cut the person.
+    """Refuse photos that are exchanged or that cut the person.
 
     Raises
     ------
@@ -69,13 +69,13 @@ def check_photos(proposals: Proposals, photos: PhotoSet) -> None:
             raise ClonerError(trouble, _HINT, photos.photos[view].name)
 
 
-def weight(value: float, even: float, step: float, most: float) -> float:
-    """Return the log odds of a sign: 0 at ``even``, 1 a ``step`` above it, at most ``most`` either way."""
+def log_odds(value: float, even: float, step: float, most: float) -> float:
+    """Return the log odds of a cue: 0 at ``even``, 1 a ``step`` above it, at most ``most`` either way."""
     return float(np.clip((value - even) / step, -most, most))
 
 
 def _trouble_in_body(proposal: Proposal, photo: Photo, hidden: float = 0.0) -> str:
-    """Return what is wrong with a body photo, "" when all is well; ``hidden`` adds to the odds of a missing face."""
+    """Return what is wrong with a body photo, "" when nothing is; ``hidden`` adds to the odds of a missing face."""
     pose, view = proposal.pose_px, proposal.view
     height = proposal.mask.shape[0]
     if pose[net.KNEES, 1].min() > height:
@@ -113,12 +113,16 @@ def side_odds(proposal: Proposal) -> float:
     shoulders, hips = (abs(float(pose[pair[0], 0] - pose[pair[1], 0])) / tall for pair in (net.SHOULDERS, net.HIPS))
     toes = abs(float(pose[[*net.TOES], 0].mean() - pose[[*net.HEELS], 0].mean())) / tall
     nose = abs(float(pose[net.NOSE, 0] - pose[[*net.EARS], 0].mean())) / tall
-    broad = weight(shoulders, 0.085, 0.02, 3.0) + weight(hips, 0.04, 0.015, 1.5) + weight(wide, FIGURE_WIDE, 0.05, 3.0)
-    return weight(toes, 0.06, 0.02, 1.5) + weight(nose, 0.02, 0.01, 1.0) - broad
+    broad = (
+        log_odds(shoulders, 0.085, 0.02, 3.0)
+        + log_odds(hips, 0.04, 0.015, 1.5)
+        + log_odds(wide, FIGURE_WIDE, 0.05, 3.0)
+    )
+    return log_odds(toes, 0.06, 0.02, 1.5) + log_odds(nose, 0.02, 0.01, 1.0) - broad
 
 
 def front_odds(proposal: Proposal) -> float:
-    """Return the log odds that a body is seen from the front and not from behind, by its pose alone.
+    """Return the log odds that a body is seen from the front rather than from behind, by its pose alone.
 
     The net knows left from right as a rule. It is surer of the toes than of the heels on people who face the camera
     (0.10-0.51 in front, -0.59 to 0.05 from behind; of one person in a cap with long hair 0.51 from behind).
@@ -126,7 +130,7 @@ def front_odds(proposal: Proposal) -> float:
     left, right = proposal.pose_px[net.SHOULDERS[0], 0], proposal.pose_px[net.SHOULDERS[1], 0]
     seen = proposal.pose_visibility
     lead = float(seen[[*net.TOES]].mean() - seen[[*net.HEELS]].mean())
-    return (2.0 if left > right else -2.0) + weight(lead, 0.08, 0.08, 2.0)
+    return (2.0 if left > right else -2.0) + log_odds(lead, 0.08, 0.08, 2.0)
 
 
 def hair_odds(proposal: Proposal) -> float:
@@ -136,7 +140,7 @@ def hair_odds(proposal: Proposal) -> float:
     behind 0 to .18, and more where hair is thin, so much skin tells nothing.
     """
     face, hair = (int(shows(proposal.labels, *classes).sum()) for classes in (FACE, (Label.HAIR,)))
-    return min(weight(face / (face + hair), _FACE_SHARE, 0.04, 3.0), 0.0) if face + hair else 0.0
+    return min(log_odds(face / (face + hair), _FACE_SHARE, 0.04, 3.0), 0.0) if face + hair else 0.0
 
 
 _FACE_SHARE: Final = _CALIBRATED.number("face_share", "share")
@@ -150,7 +154,7 @@ def _sees_face(photo: Photo) -> bool:
 
 
 def _trouble_in_face_front(proposal: Proposal, photo: Photo) -> str:
-    """Return what is wrong with the front photo of the face, "" when all is well."""
+    """Return what is wrong with the front photo of the face, "" when nothing is."""
     if _shows_whole_body(proposal) and _ear_distance_px(proposal) < CLOSE_UP * proposal.mask.shape[0]:
         return "this photo shows the whole body, not the face from near"
     place = nose_between_ears(proposal)
@@ -163,7 +167,7 @@ def _trouble_in_face_front(proposal: Proposal, photo: Photo) -> str:
 
 
 def turned_degrees(proposal: Proposal) -> float:
-    """Return how far the face net sees a face turned, degrees; infinite where it gave no depths."""
+    """Return the yaw of the face by the face net, degrees; infinite without depths."""
     first, second = _EYES
     across = float(np.hypot(*(proposal.face_px[second] - proposal.face_px[first])))
     if across == 0.0:
@@ -172,7 +176,7 @@ def turned_degrees(proposal: Proposal) -> float:
 
 
 def _trouble_in_face_side(proposal: Proposal, photo: Photo) -> str:
-    """Return what is wrong with the side photo of the face, "" when all is well."""
+    """Return what is wrong with the side photo of the face, "" when nothing is."""
     if _shows_whole_body(proposal):
         return "this photo shows the whole body, not the face from near"
     away = side_face_odds(proposal, photo) < 0.0
@@ -180,11 +184,11 @@ def _trouble_in_face_side(proposal: Proposal, photo: Photo) -> str:
 
 
 def side_face_odds(proposal: Proposal, photo: Photo) -> float:
-    """Return the log odds that a photo which should show a head from the side does, by all that tells."""
+    """Return the log odds that a photo shows a head from the side, by all cues."""
     told = profile_odds(proposal)
-    odds = (told * belief_in_pose(proposal) if told < 0.0 else told) + 2.0
+    odds = (told * pose_reliability(proposal) if told < 0.0 else told) + 2.0
     if odds < 1.0:
-        odds += max(weight(face_aside(proposal), *ASIDE, ASIDE_MOST), 0.0)
+        odds += max(log_odds(face_offset_in_head(proposal), *ASIDE, ASIDE_MOST), 0.0)
     if odds < 1.0:
         odds += _outline_odds(proposal)
     if odds < 1.0 and odds > -3.0:
@@ -192,13 +196,13 @@ def side_face_odds(proposal: Proposal, photo: Photo) -> float:
     return odds
 
 
-def hides_its_side(proposal: Proposal, photo: Photo) -> bool:
-    """Whether a side photo of the face shows hair or headwear and next to no face: it may as well be seen from behind.
+def shows_mostly_hair(proposal: Proposal, photo: Photo) -> bool:
+    """Return whether a side photo of the face shows hair or headwear and next to no face: it may be seen from behind.
 
     Bare shoulders below a fall of hair are taken for a face at times, so a little face is none unless the face net sees
     one from the front.
     """
-    little = belief_in_pose(proposal) < 1.0
+    little = pose_reliability(proposal) < 1.0
     if not little or _shows_whole_body(proposal) or side_face_odds(proposal, photo) >= 0.0:
         return False
     return not shows(proposal.labels, Label.FACE_SKIN).any() or _front_face_odds(photo) == 0.0
@@ -215,11 +219,11 @@ def profile_odds(proposal: Proposal) -> float:
     between = -2.0 if FRONTAL[0] < place < FRONTAL[1] else 2.0 if not PROFILE[0] < place < PROFILE[1] else 0.0
     up = max(float(pose[[*net.SHOULDERS], 1].mean() - pose[net.NOSE, 1]), 1.0)
     shoulders, ears = (abs(float(pose[pair[0], 0] - pose[pair[1], 0])) / up for pair in (net.SHOULDERS, net.EARS))
-    return between - weight(shoulders, 1.4, 0.2, 1.5) - weight(ears, 0.45, 0.1, 1.5)
+    return between - log_odds(shoulders, 1.4, 0.2, 1.5) - log_odds(ears, 0.45, 0.1, 1.5)
 
 
-def face_aside(proposal: Proposal) -> float:
-    """Return how far the face lies beside hair and headwear, as a share of the head's width; 0 where either is small.
+def face_offset_in_head(proposal: Proposal) -> float:
+    """Return the distance of the face from the middle of hair and headwear, in head widths; 0 where either is small.
 
     Profiles .06-.46, median .28, one in twenty under .13; fronts 0-.19, median .03, one in twenty over .13. A beard and
     a cap hide from the pose net what it goes by, not from the labels.
@@ -233,8 +237,8 @@ def face_aside(proposal: Proposal) -> float:
     return abs(float(columns[0].mean() - columns[1].mean())) / max(wide, 1.0)
 
 
-def belief_in_pose(proposal: Proposal) -> float:
-    """Return 0..1 how much the pose net's word counts on a head: it guesses where hair or headwear hides the face.
+def pose_reliability(proposal: Proposal) -> float:
+    """Return 0..1 how reliable the pose net is on a head: it guesses where hair or headwear covers the face.
 
     Share of face skin in face, hair and headwear: profiles 0.25-0.35, the bald 1, hair before the face 0-0.08.
     """
@@ -250,17 +254,19 @@ def _outline_odds(proposal: Proposal) -> float:
     It costs 0.08-0.43 on profiles, median 0.22; 0.25-0.49 on fronts and backs, median 0.4.
     """
     found = side_face_of(proposal)
-    return -2.0 if found is None else max(-weight(found.laid.cost, 0.32, 0.03, 3.0), -2.0)
+    return -2.0 if found is None else max(-log_odds(found.laid.cost, 0.32, 0.03, 3.0), -2.0)
 
 
 def _front_face_odds(photo: Photo) -> float:
-    """Return the log odds that a front face leaves for a profile; the face net sees none in most profiles and backs."""
+    """Return the log odds of a profile given a detected front face; the face net sees none in most
+    profiles and backs.
+    """
     face = DETECTORS.get("face")(photo.rgb)
     return -3.0 if face is not None and abs(face.turn_deg) < TURNED else 0.0
 
 
 def nose_between_ears(proposal: Proposal) -> float:
-    """Return where the nose lies across the picture: 0 and 1 at the ears, outside on a profile."""
+    """Return the nose's position across the photo: 0 and 1 at the ears, outside on a profile."""
     ears = np.sort(proposal.pose_px[net.EARS, 0])
     return float((proposal.pose_px[net.NOSE, 0] - ears[0]) / max(ears[1] - ears[0], 1.0))
 

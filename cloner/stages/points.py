@@ -1,4 +1,4 @@
-"""Feature points: proposals made from nets and outlines, with corrections on top (method §3)."""
+"""Stage: feature points, proposed from nets and outlines, with corrections on top (method §3)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from cloner.body.bone_checks import check_bones
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.body_points import ENDS
 from cloner.detectors.table import DETECTORS
-from cloner.detectors.taught import taught
+from cloner.detectors.taught import propagate_corrections
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.seen_points import stance
@@ -46,8 +46,8 @@ CLOTH_TRUST = _CALIBRATED.number("cloth_trust", "factor")
 LEAST_NOSE_TRUST = _CALIBRATED.number("least_nose_trust", "factor")
 
 
-def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
-    """Return the points with an operator's corrections on top; corrections win, and teach a face's other points.
+def apply_corrections(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
+    """Return the points with an operator's corrections, which also correct a face's other points.
 
     Raises
     ------
@@ -74,12 +74,12 @@ def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: 
         confidence[row], fixed[row] = 1.0, True
     if FACE_MARK in points.names:
         own = slice(len(points.names))
-        positions[own], confidence[own] = taught(points, fixed[own], positions[own][fixed[own]])
+        positions[own], confidence[own] = propagate_corrections(points, fixed[own], positions[own][fixed[own]])
     return ViewPoints(points.view, tuple(names), positions, confidence, fixed, points.proposed or points, points.states)
 
 
-def for_fitting(points: ViewPoints, astray: Collection[str] = ()) -> ViewPoints:
-    """Return the points that the fit of the whole body takes.
+def points_for_fit(points: ViewPoints, astray: Collection[str] = ()) -> ViewPoints:
+    """Return the points that the fit of the whole body uses.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def run(
     corrections: Corrections,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the body's and the face's feature points.
+    """Produce the body's and the face's feature points.
 
     Raises
     ------
@@ -150,14 +150,14 @@ def run(
         placed = corrections.points.get(view, {})
         named_face = face[view].names if view in face else ()
         if view in body:
-            body[view] = corrected(body[view], {n: c for n, c in placed.items() if n not in named_face}, photo)
+            body[view] = apply_corrections(body[view], {n: c for n, c in placed.items() if n not in named_face}, photo)
         if view in face:
-            face[view] = corrected(face[view], {n: c for n, c in placed.items() if n in named_face}, photo)
+            face[view] = apply_corrections(face[view], {n: c for n, c in placed.items() if n in named_face}, photo)
     tick(1.0)
     sets = [*body.values(), *face.values()]
     sure = [float(points.confidence.mean()) for points in sets if len(points.names)]
     residuals = (Residual("confidence of proposed points", 100.0 * float(np.mean(sure or [0.0])), "percent"),)
-    return StageResult({"body_points": PointSet(body), "face_points": PointSet(face)}, residuals, told(body))
+    return StageResult({"body_points": PointSet(body), "face_points": PointSet(face)}, residuals, point_warnings(body))
 
 
 def propose_points(
@@ -178,7 +178,7 @@ def propose_points(
 
 
 def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -> ViewPoints:
-    """Return the proposed points of a face; where nobody saw one in a face photo, those that corrections tell."""
+    """Return the proposed points of a face; in a face photo without a detected face, those that corrections tell."""
     found = cast(ViewPoints, DETECTORS.get("face_points")(photo, proposal))
     if photo.view is ViewId.FACE_SIDE and found.names and not _shows_nose(found):
         found = ViewPoints(photo.view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, dtype=np.bool_))
@@ -190,7 +190,7 @@ def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -
 
 
 def _shows_nose(points: ViewPoints) -> bool:
-    """Whether a nose tip is trusted at all: all other points of a profile hang on it."""
+    """Return whether a nose tip is reliable at all: all other points of a profile depend on it."""
     return FACE_MARK in points.names and bool(points.confidence[points.names.index(FACE_MARK)] > LEAST_NOSE_TRUST)
 
 
@@ -202,11 +202,11 @@ def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
     if shows_crotch(body):
         return body
     loose = find_loose({v: (p.mask > EDGE_LEVEL, *stance(p)) for v, p in shown.items()})
-    return body | {view: on_cloth(body[view], regions) for view, regions in loose.items()}
+    return body | {view: without_cloth_points(body[view], regions) for view, regions in loose.items()}
 
 
 def shows_crotch(body: Mapping[ViewId, ViewPoints]) -> bool:
-    """Whether front and back photo show background up to the crotch: then no skirt or coat is closed around the legs.
+    """Return whether front and back photo show background up to the crotch: then no skirt or coat surrounds the legs.
 
     Wide thighs that touch look much like a short skirt; a crotch at its usual level tells them apart. An open coat
     shows it in the front photo only.
@@ -215,8 +215,8 @@ def shows_crotch(body: Mapping[ViewId, ViewPoints]) -> bool:
     return bool(flat) and all("crotch" in points.names for points in flat)
 
 
-def on_cloth(points: ViewPoints, regions: Sequence[LooseRegion]) -> ViewPoints:
-    """Return the points without trust in those on the outline of loose clothing, and with its rows as a state.
+def without_cloth_points(points: ViewPoints, regions: Sequence[LooseRegion]) -> ViewPoints:
+    """Return the points without confidence in those on the outline of loose clothing, with its rows as a state.
 
     Legs that a skirt hides do not stand together, so nothing is told of that.
     """
@@ -234,8 +234,8 @@ def on_cloth(points: ViewPoints, regions: Sequence[LooseRegion]) -> ViewPoints:
     return replace(points, confidence=trust, states=tuple(states))
 
 
-def told(body: Mapping[ViewId, ViewPoints]) -> tuple[str, ...]:
-    """Return one sentence a state that is worth telling, each with its photo's name."""
+def point_warnings(body: Mapping[ViewId, ViewPoints]) -> tuple[str, ...]:
+    """Return a sentence for each state worth reporting, with its photo's name."""
     return tuple(
         f"{view}: {state.sentence}" for view, points in body.items() for state in points.states if state.sentence
     )

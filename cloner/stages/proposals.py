@@ -1,4 +1,4 @@
-"""What nets and colours say about each photo: pose, face, mask, skin and hair.
+"""Stage: proposals of nets and colours for each photo: pose, face, mask, labels.
 
 Runs once a photo; corrections never run it again.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from cloner.abreast import in_two_steps
-from cloner.detectors.face.profile_cut import free_profile
+from cloner.detectors.face.profile_cut import without_wall_before_face
 from cloner.detectors.table import DETECTORS
 from cloner.frames import ViewId
 from cloner.generic.seen_points import ANKLES
@@ -18,15 +18,17 @@ from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
 from cloner.stages.figures import Figure, NobodySeen, find_figure, find_hidden_figure, standing_mask
 from cloner.stages.hidden import SOMEBODY, shares_colours
-from cloner.stages.photo_checks import hides_its_side
+from cloner.stages.photo_checks import shows_mostly_hair
 
 HIDDEN = (
     "nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face"
 )
 
 
-def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]) -> Proposals:
-    """Return all proposals, with those of photos in which no net sees anybody, by what the other photos tell.
+def resolve_hidden(
+    photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]
+) -> Proposals:
+    """Return all proposals, with those of photos without a detected person, by help of the other photos.
 
     A side photo of the face may show hair or a hood alone. It is kept for its mask when somebody is made out in it and
     its colours are the person's; with one of both it is left out. So are a face behind hair beside the body's front, a
@@ -45,20 +47,20 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
         alike = close and shares_colours(photo.rgb, others) >= SOMEBODY
         stands = view.is_body and not view.is_front and standing_mask(photo) is not None
         if figure is not None and alike and view.is_side:
-            found[view] = propose_within(photo, figure)
+            found[view] = propose_in_figure(photo, figure)
         elif figure is not None or alike or stands:
             left_out[view] = HIDDEN
         else:
             raise error
     side = views.get(ViewId.FACE_SIDE)
-    if side is not None and len(views) > 1 and hides_its_side(side, photos.photos[ViewId.FACE_SIDE]):
+    if side is not None and len(views) > 1 and shows_mostly_hair(side, photos.photos[ViewId.FACE_SIDE]):
         left_out[ViewId.FACE_SIDE] = HIDDEN
     kept = {view: found[view] for view in photos.photos if view in found and view not in left_out}
     return Proposals(kept, left_out)
 
 
-def propose_within(photo: Photo, figure: Figure) -> Proposal:
-    """Return pose, face, mask and labels of one photo whose person is found."""
+def propose_in_figure(photo: Photo, figure: Figure) -> Proposal:
+    """Return the proposal of a photo whose person is found."""
     points, depth, presence, irises = figure.face
     found = Proposal(
         photo.view,
@@ -74,22 +76,22 @@ def propose_within(photo: Photo, figure: Figure) -> Proposal:
         figure.seen_px,
         figure.naked_px,
     )
-    return free_profile(photo, found) if photo.view is ViewId.FACE_SIDE else found
+    return without_wall_before_face(photo, found) if photo.view is ViewId.FACE_SIDE else found
 
 
 def propose(photo: Photo) -> Proposal:
-    """Return pose, face, mask and labels of one photo.
+    """Return the proposal of one photo.
 
     Raises
     ------
     ClonerError
         If the photo does not show exactly one person.
     """
-    return propose_within(photo, find_figure(photo))
+    return propose_in_figure(photo, find_figure(photo))
 
 
 def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:
-    """Give one proposal a photo; a photo in which hair or a hood hides all may be left out.
+    """Produce one proposal per photo; a photo in which hair or a hood covers everything may be left out.
 
     Raises
     ------
@@ -106,7 +108,7 @@ def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:
             return error
 
     def proposal_of(photo: Photo, figure: Figure | NobodySeen) -> Proposal | NobodySeen:
-        return figure if isinstance(figure, NobodySeen) else propose_within(photo, figure)
+        return figure if isinstance(figure, NobodySeen) else propose_in_figure(photo, figure)
 
     proposed = in_two_steps(figure_of, proposal_of, photos.photos.values())
     for view, found in zip(photos.photos, proposed, strict=True):
@@ -115,6 +117,6 @@ def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:
         else:
             views[view] = found
         tick((len(views) + len(unseen)) / len(photos.photos))
-    settled = settle_hidden(photos, views, unseen)
+    settled = resolve_hidden(photos, views, unseen)
     DETECTORS.get("let_nets_go")()  # no later stage asks them
     return StageResult({"proposals": settled})

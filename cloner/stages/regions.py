@@ -1,4 +1,4 @@
-"""Stage: say of every triangle what it is: skin, hair, eyes, mouth, upper clothes, lower clothes or shoes.
+"""Stage: a region label for every triangle: skin, hair, eyes, mouth, upper clothes, lower clothes or shoes.
 
 The generic human knows where eyes, mouth and scalp are and what people wear where; the photos' labels say what this
 person wears where, and the painted colours where exactly skin ends and one garment meets the next.
@@ -73,7 +73,7 @@ def run(
     tick: Callable[[float], None],
     params: Params | None = None,
 ) -> StageResult:
-    """Return the clone with its triangles labelled.
+    """Return the clone with labelled triangles.
 
     ``surfaces`` (V, 6) are the shares of ``SURFACES`` that the photos show at each vertex; zeros tell nothing.
 
@@ -90,25 +90,27 @@ def run(
 def label_triangles(
     generic: GenericHuman, clone: Clone, surfaces: Array, params: Params
 ) -> tuple[NDArray[np.uint8], float]:
-    """Return (T,) places in `REGIONS` of the generic human's triangles, and the share of the skin that is sure."""
+    """Return the labels (T,) of the generic human's triangles (places in `REGIONS`), and the share of skin that is
+    certain.
+    """
     triangles, uv_triangles = generic.triangles()
     parts = np.array(generic.part_names)[generic.vertex_part[triangles[:, 0]]]
     on_body = parts == "body"
     colours = triangle_colours(clone.atlas.rgb, generic.uv.astype(np.float64)[uv_triangles])
     area = areas(clone.vertices_m, triangles)
     links = neighbour_links(triangles, colours, params.contrast)
-    likely = _likely(generic, triangles, surfaces)
+    likely = _likelihoods(generic, triangles, surfaces)
     shares = random_walk(links, likely, params.trust * area / np.median(area[on_body]))
     worn = without_islands(shares.argmax(axis=1), links, area)
     labels = np.array([REGIONS.index(name) for name in WORN])[worn]
-    for name, chosen in _known(generic, clone, triangles, parts):
+    for name, chosen in _certain_regions(generic, clone, triangles, parts):
         labels[chosen] = REGIONS.index(name)
     sure = shares[on_body].max(axis=1) > SURE
     return labels.astype(np.uint8), float(area[on_body][sure].sum() / area[on_body].sum())
 
 
-def _likely(generic: GenericHuman, triangles: NDArray[np.integer], surfaces: Array) -> Array:
-    """Return (T, 5) how likely each of `WORN` is by the photos' labels and by place; rows sum to one."""
+def _likelihoods(generic: GenericHuman, triangles: NDArray[np.integer], surfaces: Array) -> Array:
+    """Return the likelihoods (T, 5) of `WORN` by the photos' labels and by position; rows sum to one."""
     segments = [name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names]
     place = np.array(segments)[generic.vertex_segment[triangles[:, 0]]]
     seen = surfaces[:, [SURFACES.index(name) for name in WORN]].copy()
@@ -117,10 +119,10 @@ def _likely(generic: GenericHuman, triangles: NDArray[np.integer], surfaces: Arr
     return np.asarray(likely / likely.sum(axis=1, keepdims=True))
 
 
-def _known(
+def _certain_regions(
     generic: GenericHuman, clone: Clone, triangles: NDArray[np.integer], parts: NDArray[np.str_]
 ) -> Iterator[tuple[str, NDArray[np.bool_]]]:
-    """Yield what needs no colour: names of regions and their triangles, later ones win."""
+    """Yield regions that need no colour: names and triangles, later ones win."""
     for part in generic.part_names:
         if part != "body":
             name = {"eye": "eyes", "lashes": "hair"}.get(part.split("_")[0], "mouth")
@@ -157,7 +159,7 @@ def neighbour_links(triangles: NDArray[np.integer], colours: Array, contrast: fl
 
 
 def without_islands(labels: NDArray[np.integer], links: coo_matrix, area: Array) -> NDArray[np.integer]:
-    """Return the labels with islands smaller than `ISLAND` of their label's whole given to what lies around them."""
+    """Return the labels with components smaller than `ISLAND` of their label's total given to their surroundings."""
     links = links.tocoo()
     inside = labels[links.row] == labels[links.col]
     kept = coo_matrix((inside[inside], (links.row[inside], links.col[inside])), shape=links.shape)
@@ -174,7 +176,7 @@ def without_islands(labels: NDArray[np.integer], links: coo_matrix, area: Array)
 
 
 def random_walk(links: coo_matrix, likely: Array, trust: Array) -> Array:
-    """Return (T, K) the shares of labels that a random walker meets first, with prior models (Grady 2005, equation 8).
+    """Return the probabilities (T, K) of a random walker's first label, with prior models (Grady 2005, equation 8).
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Rough skin (paper §3.4): parts follow their joints, then their end slices the photos.
+"""Stage: rough skin (paper §3.4): parts follow their joints, then end slices follow the photos.
 
 Each part's matrix is updated by the rotation, scale and translation of its joint
 and child joint; parts stick together through the connection database, which here
@@ -43,7 +43,7 @@ _CALIBRATED: Final = calibrated("stages.rough")
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """Where the end slices of a part lie, and how far its outline may be.
+    """Positions of a part's end slices and their search range.
 
     Its numbers: ``cloner/calibration/stages.toml``, ``[rough.*]``.
     """
@@ -67,20 +67,22 @@ def follow_joints(vertices_m: Array, old_m: Array, new_m: Array) -> Array:
         first, second = generic.slice_axis_joints[row]
         if first < 0 or second < 0:
             first = second = _root_joint(name)
-        moved += weights[:, row : row + 1] * _part_map(vertices_m, old_m[[first, second]], new_m[[first, second]])
+        moved += weights[:, row : row + 1] * _similarity_between(
+            vertices_m, old_m[[first, second]], new_m[[first, second]]
+        )
     return np.asarray(moved / np.maximum(weights.sum(axis=1, keepdims=True), 1e-9))
 
 
 def _root_joint(segment: str) -> int:
-    """Return the joint that carries a free segment (head, hand, foot)."""
+    """Return the joint that moves a free segment (head, hand, foot)."""
     generic = load_generic()
     side = segment[0]
     names = {"head": "skullbase", f"{side}_hand": f"{side}_wrist", f"{side}_foot": f"{side}_ankle"}
     return generic.joint(names.get(segment if segment == "head" else f"{side}_{segment.split('_')[1]}", "HumanoidRoot"))
 
 
-def _part_map(points_m: Array, old: Array, new: Array) -> Array:
-    """Return points moved by the similarity that takes one joint pair on to another."""
+def _similarity_between(points_m: Array, old: Array, new: Array) -> Array:
+    """Return points moved by the similarity that maps one joint pair to another."""
     before, after = old[1] - old[0], new[1] - new[0]
     length = float(np.linalg.norm(before))
     if length < 1e-6:
@@ -134,7 +136,7 @@ def run(
     phenotype: Phenotype,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the front+side and back+side bodies with parts in place, and their mean."""
+    """Produce the front+side and back+side bodies with parts in place, and their mean."""
     params = Params()
     vertices, joints = clothed_body(phenotype)
     photos = outlined_photos(phenotype, silhouettes, proposals)

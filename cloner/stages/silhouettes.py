@@ -1,4 +1,4 @@
-"""Silhouettes by heuristic edge linking along the person's mask (paper §3.5)."""
+"""Stage: silhouettes by heuristic edge linking along the person's mask (paper §3.5)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.stages.points import figure_height_px, for_fitting, shows_crotch
+from cloner.stages.points import figure_height_px, points_for_fit, shows_crotch
 from cloner.vision.contours.outlines import Outline, OutlineLoop, extract_outline
 from cloner.vision.segmentation.loose_outline import find_loose
 
@@ -31,15 +31,17 @@ ON_OUTLINE = (
 
 
 def outline_points(points: ViewPoints | None) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.bool_]]:
-    """Return name, (N, 2) position and correctedness of a body photo's points on the outline; none of a face photo."""
+    """Return names, positions (N, 2) and corrected flags of a body photo's points on the outline; none
+    of a face photo.
+    """
     if points is None:
         return (), np.zeros((0, 2)), np.zeros(0, dtype=np.bool_)
     rows = [k for k, name in enumerate(points.names) if name.startswith(ON_OUTLINE)]
     return tuple(points.names[k] for k in rows), points.points_px[rows], points.corrected[rows]
 
 
-def astray_points(contours_px: Sequence[NDArray[np.float64]], points: ViewPoints | None) -> tuple[str, ...]:
-    """Return the names of corrected points that an outline misses by more than doubt in it explains."""
+def missed_points(contours_px: Sequence[NDArray[np.float64]], points: ViewPoints | None) -> tuple[str, ...]:
+    """Return the names of corrected points that an outline misses by more than its uncertainty explains."""
     names, positions, corrected = outline_points(points)
     if points is None or not corrected.any():
         return ()
@@ -55,7 +57,7 @@ def _segment_names(loop: OutlineLoop, number: int, names: tuple[str, ...]) -> li
 
 
 def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> Silhouette:
-    """Return one photo's outline, as the fit takes it.
+    """Return one photo's outline for the fit.
 
     It is traced by the proposed points. Only where an operator's point lies so far off that the outline must have
     been wrong, it is traced again through that point; nearer ones bend it in the end (``stages/obeyed.py``).
@@ -65,16 +67,16 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
     ClonerError
         If no outline can be drawn around the person.
     """
-    names, positions, fixed = outline_points(None if points is None else for_fitting(points))
+    names, positions, fixed = outline_points(None if points is None else points_for_fit(points))
     mask = proposal.mask.astype(np.float32) / np.float32(255.0)
     outline: Outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     if not outline.loops:
         raise ClonerError(
             "the person's outline was not found", "Retake the photo before a plain background", photo.name
         )
-    astray = astray_points([loop.polygon for loop in outline.loops], points)
+    astray = missed_points([loop.polygon for loop in outline.loops], points)
     if points is not None and astray:
-        names, positions, fixed = outline_points(for_fitting(points, astray))
+        names, positions, fixed = outline_points(points_for_fit(points, astray))
         outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     sources: list[tuple[str, str, float]] = []
     for number, loop in enumerate(outline.loops, start=1):
@@ -85,7 +87,7 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
 
 
 def with_cloth(silhouette: Silhouette, regions: tuple[LooseRegion, ...]) -> Silhouette:
-    """Return a silhouette with its loose clothing, whose holes are filled: cloth between the legs has none."""
+    """Return a silhouette with its loose clothing, holes filled."""
     mask = silhouette.mask.copy()
     for region in regions:
         mask |= region.cloth(mask.shape)
@@ -99,7 +101,7 @@ def run(
     body_points: BodyPoints,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give one silhouette a photo; residual: share of the outline that lies on image edges."""
+    """Produce one silhouette per photo; the residual is the share of the outline on image edges."""
     views: dict[ViewId, Silhouette] = {}
     residuals = []
 

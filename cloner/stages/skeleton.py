@@ -1,4 +1,4 @@
-"""Two skeletons from key joints (paper §3.3), and their consensus.
+"""Stage: two skeletons from key joints (paper §3.3), and their consensus.
 
 Key joints (shoulders, elbows, wrists, hips, knees, ankles) move to the middle of
 the limb's two outline points at their level; the remaining of the 94 joints
@@ -61,7 +61,7 @@ KEY_JOINTS = {
 def key_shift(
     photos: tuple[tuple[OutlinedPhoto, PosedSilhouette], ...], side: str, joint: str, params: Params
 ) -> Array:
-    """Return the (3,) rest-pose motion of one key joint towards the middle of the limb's outline, metres."""
+    """Return the rest-pose displacement (3,) of a key joint towards the middle of the limb's outline, metres."""
     shifts = []
     for photo, seen in photos:
         for part, level in KEY_JOINTS[joint]:
@@ -76,7 +76,7 @@ def key_shift(
 
 
 def along_hierarchy(generic: GenericHuman, joints_m: Array, shifts: dict[str, Array]) -> Array:
-    """Return (94, 3) joints after key joints moved; every other joint moves with its nearest key ancestor."""
+    """Return the joints (94, 3) after key joints moved; every other joint moves with its nearest key ancestor."""
     moved = np.zeros_like(joints_m)
     for row, (name, parent) in enumerate(zip(generic.joint_names, generic.joint_parents, strict=True)):
         inherited = moved[parent] if parent >= 0 else np.zeros(3)
@@ -91,7 +91,7 @@ def run(
     phenotype: Phenotype,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the front+side and back+side skeletons and their consensus, in rest pose."""
+    """Produce the front+side and back+side skeletons and their consensus, in rest pose."""
     params, generic = Params(), load_generic()
     vertices, joints = clothed_body(phenotype)
     mesh = BodyMesh(vertices, joints)

@@ -1,4 +1,4 @@
-"""Stage: paint the person with the photos, in the generic human's atlas.
+"""Stage: the photos painted into the generic human's texture atlas.
 
 References
 ----------
@@ -94,7 +94,7 @@ def run(
     rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
-    """Return the textured clone; its regions are still to be said.
+    """Return the textured clone without region labels.
 
     Residuals: disagreement between photos that show the same surface, in grey
     levels, before and after evening; gap between mesh and photo outlines that
@@ -104,7 +104,7 @@ def run(
     generic, photos = load_generic(), quieted(photos)
     hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth", "beard"))  # lenses are clear
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
-    baked, surfaces, worn_rgb, residuals = lay_photos(
+    baked, surfaces, worn_rgb, residuals = paint_atlas(
         generic, photos, proposals, silhouettes, joined, hiding, params, tick
     )
     warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)
@@ -113,7 +113,7 @@ def run(
     residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
     parts = parts_atlas(generic, params.size)
     skin_rgb = face_rgb(generic, baked.rgb)
-    whites, iris_rgb = shown_eyes(photos, proposals, head, skin_rgb)
+    whites, iris_rgb = observed_eye_colours(photos, proposals, head, skin_rgb)
     paint_parts(generic, parts, baked.rgb, joined.vertices_m, skin_rgb, iris_rgb, head.iris_radius_m, whites, rng)
     baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
     atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
@@ -123,9 +123,11 @@ def run(
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
 
 
-def shown_eyes(photos: PhotoSet, proposals: Proposals, head: HeadFit, skin_rgb: Array) -> tuple[Array | None, Array]:
-    """Return how much lighter the face's front photo shows the whites than the skin, None without one, and the irises'
-    colour (3,) beside skin of the atlas: as the photo shows it beside its own.
+def observed_eye_colours(
+    photos: PhotoSet, proposals: Proposals, head: HeadFit, skin_rgb: Array
+) -> tuple[Array | None, Array]:
+    """Return how much lighter the whites are than the skin in the face's front photo, None without one, and the irises'
+    colour (3,) relative to the atlas's skin.
     """
     proposal = proposals.views.get(ViewId.FACE_FRONT)
     if proposal is None or proposal.face_presence == 0.0 or ViewId.FACE_FRONT not in photos.photos:
@@ -137,8 +139,8 @@ def shown_eyes(photos: PhotoSet, proposals: Proposals, head: HeadFit, skin_rgb: 
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shared:
-    """Photos ready to be laid on the body, and what each may paint.
+class PaintSources:
+    """Photos prepared for painting, and where each may paint.
 
     Attributes
     ----------
@@ -158,7 +160,7 @@ class Shared:
     kinds: Materials
 
 
-def lay_photos(
+def paint_atlas(
     generic: GenericHuman,
     photos: PhotoSet,
     proposals: Proposals,
@@ -173,7 +175,7 @@ def lay_photos(
     Returned beside it: (V, 6) shares of ``SURFACES`` that the photos show, (V, 3) levels of what is worn, and the
     residuals of painting.
     """
-    shared, residuals = share_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
+    shared, residuals = prepare_sources(generic, photos, proposals, silhouettes, joined, shells, params, tick)
     if shared is None:
         return None, np.zeros((len(joined.vertices_m), len(SURFACES))), np.zeros_like(joined.vertices_m), residuals
     baked = bake(
@@ -193,7 +195,7 @@ def lay_photos(
     )
 
 
-def share_photos(
+def prepare_sources(
     generic: GenericHuman,
     photos: PhotoSet,
     proposals: Proposals,
@@ -202,8 +204,8 @@ def share_photos(
     shells: tuple[Shell, ...],
     params: Params,
     tick: Callable[[float], None],
-) -> tuple[Shared | None, list[Residual]]:
-    """Return what every photo may paint, None where no photo shows the body, and the residuals of finding it."""
+) -> tuple[PaintSources | None, list[Residual]]:
+    """Return the photos prepared for painting, None where no photo shows the body, and residuals of their alignment."""
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
     if not sources:
@@ -228,17 +230,17 @@ def share_photos(
         base = clothe_beyond(generic, sources, base, kinds, joined.vertices_m, graph)
         kinds = replace(kinds, surfaces=kinds.surfaces * near_sight(sources, graph)[:, None])
     shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
-    return Shared(sources, shares, light, base, kinds), residuals
+    return PaintSources(sources, shares, light, base, kinds), residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
-    """Return the atlas of what is painted and not photographed: eyes, mouth and lashes."""
+    """Return the atlas of parts that are painted without photos: eyes, mouth and lashes."""
     body = generic.skin[generic.triangles()[0][:, 0]]
     return generic_atlas(generic, size, wanted=~body)
 
 
 def pad_charts(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Return the atlas with every texel near the charts showing its nearest chart's colour.
+    """Return the atlas with every texel near the charts filled from its nearest chart.
 
     A renderer's smaller mip levels average over chart borders; without the padding they would draw seams.
     """

@@ -1,4 +1,4 @@
-"""First cameras: focal length from the photo, distance from the stature (method §1).
+"""Stage: first cameras, with focal length from the photo and distance from the stature (method §1).
 
 The photos' body heights are normalised here: one stature, three distances. The
 fit of the phenotype refines heading, tilt and distance afterwards.
@@ -31,7 +31,7 @@ FRONT = np.diag([1.0, -1.0, -1.0])
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """Assumptions about cameras that the photos do not tell.
+    """Assumptions about cameras that photos do not tell.
 
     Its numbers: ``cloner/calibration/stages.toml``, ``[views.*]``.
     """
@@ -43,7 +43,7 @@ class Params:
     sole_m: float = _CALIBRATED.number("sole_m", "m")
 
 
-def heading(azimuth: float) -> Array:
+def level_rotation(azimuth: float) -> Array:
     """Return the (3, 3) camera_from_model rotation of a level camera.
 
     Parameters
@@ -56,14 +56,14 @@ def heading(azimuth: float) -> Array:
     return np.asarray(FRONT @ turn)
 
 
-def pitched(rotation: Array, pitch: float) -> Array:
-    """Return ``rotation`` with the camera tilted down by ``pitch`` radians."""
+def pitch_rotation(rotation: Array, pitch: float) -> Array:
+    """Return ``rotation`` with the camera pitched down by ``pitch`` radians."""
     cosine, sine = math.cos(pitch), math.sin(pitch)
     return np.array([[1.0, 0.0, 0.0], [0.0, cosine, sine], [0.0, -sine, cosine]]).T @ rotation
 
 
 def focal_px(photo: Photo, default_35mm: float) -> tuple[float, bool]:
-    """Return the focal length in pixels and whether the photo itself told it."""
+    """Return the focal length in pixels, and whether the photo itself told it."""
     own = photo.focal_35mm
     if own is not None and own > 0:
         return focal_px_from_35mm(own, photo.width_px, photo.height_px), True
@@ -92,7 +92,7 @@ def level_camera(
     centre = np.array([(photo.width_px - 1) / 2, (photo.height_px - 1) / 2])
     pitch = 0.0
     for _ in range(4):
-        rotation = pitched(heading(azimuth), pitch)
+        rotation = pitch_rotation(level_rotation(azimuth), pitch)
         place = np.array([*((middle_px - centre) * depth / focal), depth])
         offset = place - rotation @ middle_m
         pitch += math.atan2(height_m - float((-rotation.T @ offset)[1]), depth)
@@ -102,7 +102,7 @@ def level_camera(
 
 
 def side_shown(points: ViewPoints) -> str:
-    """Return which side of the person a side photo shows: the one whose ear was found."""
+    """Return which side of the person a side photo shows: that of the detected ear."""
     return "left" if "ear_outer_L" in points.names else "right"
 
 
@@ -113,7 +113,7 @@ def run(
     person: Person,
     tick: Callable[[float], None],
 ) -> StageResult:
-    """Give the first cameras of the body photos, all scaled by the one stature."""
+    """Produce the first cameras of the body photos, all scaled by the one stature."""
     params = Params()
     azimuths = {"front": 0.0, "back": math.pi, "left": math.pi / 2, "right": -math.pi / 2}
     views: dict[ViewId, View] = {}

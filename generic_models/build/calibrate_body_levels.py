@@ -22,12 +22,12 @@ from numpy.typing import NDArray
 from painted_people import BACKGROUNDS, TIGHTNESSES, Shot, photograph_once
 from painted_people_clothes import HAIR
 
-from cloner.detectors.body.flanks import columns_at, find_flank, outwards_of
+from cloner.detectors.body.flanks import find_side_contour, outward_sign, polyline_columns
 from cloner.detectors.body.front_cues import arm_cues, front_cues, level_of
-from cloner.detectors.body.front_features import foot_end, joint_places, look_along
-from cloner.detectors.body.pose_order import in_order
-from cloner.detectors.body.side_cues import body_axis, find_profile, foot_ends, side_cues
-from cloner.detectors.body.side_features import look_from_side, profile_joints
+from cloner.detectors.body.front_features import find_side, foot_end, joint_places
+from cloner.detectors.body.pose_order import corrected_pose
+from cloner.detectors.body.side_cues import body_axis, find_body_profile, foot_ends, side_cues
+from cloner.detectors.body.side_features import find_from_side, profile_joints
 from cloner.detectors.nets import litert
 from cloner.detectors.nets import pose_rows as net
 from cloner.evaluate.measures.posing import JOINTS
@@ -112,7 +112,7 @@ def generated(people: Path, view: str) -> Iterator[Seen]:
 def put_in_order(seen: Seen, view: ViewId) -> Seen:
     """Return what the net showed with left and right as the product puts them."""
     figure = figure_of(seen.mask)
-    return seen if figure is None else replace(seen, pose=in_order(figure, seen.pose, view)[0])
+    return seen if figure is None else replace(seen, pose=corrected_pose(figure, seen.pose, view)[0])
 
 
 def soft(mask: NDArray[np.bool_]) -> NDArray[np.uint8]:
@@ -156,7 +156,7 @@ def gather(shown: Mapping[str, list[Seen]]) -> Samples:
 def side_sample(figure: Figure, seen: Seen) -> dict[str, float]:
     """Return seen and true levels of a side photo."""
     near, forwards = (net.LEFT, -1.0) if seen.azimuth_deg > 0 else (net.RIGHT, 1.0)
-    found = side_cues(figure, seen.pose, find_profile(figure, seen.pose, near, forwards, seen.hair))
+    found = side_cues(figure, seen.pose, find_body_profile(figure, seen.pose, near, forwards, seen.hair))
     name = net.SIDES[near]
     rows = {n: seen.features[n] for n in MIDDLE} | {n: seen.features[f"{n}_{name}"] for n in SIDE}
     rows |= {f"joint_{n}": seen.joints[f"{name[0]}_{n}"] for n in ("shoulder", "hip", "knee", "ankle")}
@@ -167,13 +167,13 @@ def side_sample(figure: Figure, seen: Seen) -> dict[str, float]:
 
 def profile_axis_place(pose: Array, near: int, row: float) -> float:
     """Return the column of the side photo's body axis at a row."""
-    return float(columns_at(np.array([row]), body_axis(pose, near))[0])
+    return float(polyline_columns(np.array([row]), body_axis(pose, near))[0])
 
 
 def front_sample(figure: Figure, seen: Seen, side: int) -> dict[str, float]:
     """Return seen and true levels of one side of a front or back photo."""
     name = net.SIDES[side]
-    found = front_cues(figure, seen.pose, find_flank(figure, seen.pose, side, seen.hair))
+    found = front_cues(figure, seen.pose, find_side_contour(figure, seen.pose, side, seen.hair))
     rows = {n: seen.features[f"{n}_{name}"] for n in FRONT} | {"crotch": seen.features["crotch"]}
     rows |= {f"joint_{n}": seen.joints[f"{name[0]}_{n}"] for n in ("shoulder", "hip", "knee", "ankle")}
     return found | {n: level_of(figure, float(point[1])) for n, point in rows.items()}
@@ -233,14 +233,14 @@ def point_errors(photos: list[Seen], view: str) -> Errors:
         for side in (near,) if view == "side" else (net.LEFT, net.RIGHT):
             name = net.SIDES[side]
             if view == "side":
-                look = look_from_side(figure, seen.pose, near, forwards, seen.hair)
+                look = find_from_side(figure, seen.pose, near, forwards, seen.hair)
                 places = profile_joints(figure, seen.pose, look)
                 ends = zip(("toe", "heel"), foot_ends(figure, look.profile), strict=True)
                 pairs = [(f"{n}_outline", p, seen.features[f"{n}_{name}"]) for n, p in ends if p is not None]
                 pairs += [(n, p, seen.joints[f"{name[0]}_{n}"]) for n, p in places.items()]
             else:
-                forwards = outwards_of(seen.pose, side)
-                front_look = look_along(figure, seen.pose, side, view, seen.hair)
+                forwards = outward_sign(seen.pose, side)
+                front_look = find_side(figure, seen.pose, side, view, seen.hair)
                 every = joint_places(figure, seen.pose, front_look)
                 pairs = [
                     (f"{n}_{source}", p, seen.joints[f"{name[0]}_{n}"])

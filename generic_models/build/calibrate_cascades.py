@@ -25,7 +25,16 @@ from photographed_heads import Head, photographed
 from portrait_canvas import canvas
 from scipy.spatial import cKDTree
 
-from cloner.detectors.face.cascade import FEATURES, Cascade, Picture, Pose, find_feature, look, prepare, sided
+from cloner.detectors.face.cascade import (
+    FEATURES,
+    Cascade,
+    FeaturePose,
+    Picture,
+    describe_window,
+    find_feature,
+    prepare,
+    side_names,
+)
 from cloner.detectors.face.face_front_features import front_pose
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.face_points import PROFILE
@@ -75,7 +84,7 @@ class Seen:
     rgb: NDArray[np.uint8]
     mask: NDArray[np.uint8]
     points_px: Array
-    pose: Pose
+    pose: FeaturePose
     guess_px: Array
 
 
@@ -98,7 +107,7 @@ def heads(view: str, portraits: int, scans: Path | None, people: Path | None) ->
     return out
 
 
-def profile_pose(head: Head, names: tuple[str, ...]) -> tuple[Pose, Array] | None:
+def profile_pose(head: Head, names: tuple[str, ...]) -> tuple[FeaturePose, Array] | None:
     """Return how a head lies in a side picture and where a feature is guessed, by its true profile alone."""
     model = load_face_net().profile
     known = [name for name in PROFILE if name in head.marks_px]
@@ -112,11 +121,11 @@ def profile_pose(head: Head, names: tuple[str, ...]) -> tuple[Pose, Array] | Non
     factor = np.vdot(away, goal - goal.mean()) / np.vdot(away, away).real
     middle = flat[[model.names.index(name) for name in names]].mean(axis=0) @ [1, 1j]
     there = goal.mean() + factor * (middle - source.mean())
-    pose = Pose(float(abs(factor)), float(np.angle(factor)), head.side == "R")
+    pose = FeaturePose(float(abs(factor)), float(np.angle(factor)), head.side == "R")
     return pose, np.array([there.real, there.imag]) * mirror
 
 
-def eyes_pose(head: Head) -> Pose | None:
+def eyes_pose(head: Head) -> FeaturePose | None:
     """Return how a head lies in a front picture by its eyes."""
     if any(f"pupil_{side}" not in head.marks_px for side in "LR"):
         return None
@@ -126,7 +135,7 @@ def eyes_pose(head: Head) -> Pose | None:
 def vertices_of(feature: str) -> NDArray[np.int64]:
     """Return (2, K) the vertices of a feature's points, on the person's left and right."""
     generic = load_generic()
-    left = [*(generic.feature(name) for name in sided(feature, "L")), *BESIDE.get(feature, ())]
+    left = [*(generic.feature(name) for name in side_names(feature, "L")), *BESIDE.get(feature, ())]
     body = generic.part("body")
     _, twin = cKDTree(generic.vertices_m[body]).query(generic.vertices_m[left] * [-1.0, 1.0, 1.0])
     return np.array([left, body[twin]], dtype=np.int64)
@@ -136,7 +145,7 @@ def seen(feature: str, pictures: list[Head]) -> list[Seen]:
     """Return a feature in the pictures that show it."""
     names, vertices, out = FEATURES[feature], vertices_of(feature), []
     for head in pictures:
-        marks = sided(feature, head.side)
+        marks = side_names(feature, head.side)
         if any(name not in head.marks_px for name in marks):
             continue
         if "ear" in feature and len(head.hidden.intersection(marks)) > 1:
@@ -152,7 +161,7 @@ def seen(feature: str, pictures: list[Head]) -> list[Seen]:
     return out
 
 
-def upright(one: Seen, pose: Pose, places_px: Array, middle_px: Array) -> Array:
+def upright(one: Seen, pose: FeaturePose, places_px: Array, middle_px: Array) -> Array:
     """Return places around a middle as the pose sees them upright, eye distances."""
     return np.asarray((places_px - middle_px) @ pose.upright().T / pose.iod_px)
 
@@ -162,7 +171,7 @@ class Try:
     """A guess on its way: which picture, its doubtful pose, and where it stands, px."""
 
     row: int
-    pose: Pose
+    pose: FeaturePose
     middle_px: Array
 
 
@@ -202,7 +211,9 @@ def train(feature: str, known: list[Seen], rng: np.random.Generator) -> Cascade:
         for one in guesses:
             grey, person, factor = levels[iod_px][one.row]
             there = replace(one.pose, iod_px=one.pose.iod_px * float(factor[0]))
-            looked.append(look((grey, person), (one.middle_px + 0.5) * factor - 0.5, there, iod_px).astype(np.float32))
+            looked.append(
+                describe_window((grey, person), (one.middle_px + 0.5) * factor - 0.5, there, iod_px).astype(np.float32)
+            )
             sight = known[one.row]
             wanted.append((upright(sight, one.pose, sight.points_px, one.middle_px) - base).ravel())
         described, goals = np.stack(looked), np.stack(wanted)

@@ -18,7 +18,7 @@ from archives import save
 from numpy.typing import NDArray
 
 from cloner.detectors.face.face_net import load_face_net
-from cloner.detectors.face.face_side import lay_anywhere, lay_near, pose_hints, told_by, whole_outline
+from cloner.detectors.face.face_side import align_anywhere, align_near_hints, judge_hints, pose_hints, whole_outline
 from cloner.detectors.face.profile_fit import named_px
 from cloner.detectors.face.profile_judge import COST, features
 from cloner.errors import ClonerError
@@ -64,14 +64,14 @@ def examples(proposal: Proposal, truth: TruthView) -> Examples | None:
     full = whole_outline(proposal.mask)
     if full is None:
         return None
-    laid = lay_near(proposal.mask, full, model, hints) + lay_anywhere(proposal.mask, full, model)
+    laid = align_near_hints(proposal.mask, full, model, hints) + align_anywhere(proposal.mask, full, model)
     if not laid:
         return None
     rows = [model.names.index(name) for name in MARKS]
     places = np.array([truth.points_m[name] for name in MARKS])
     true_px, pixel_mm = truth.camera.project(places), mm_from_m(truth.camera.metres_per_pixel(places.mean(axis=0)))
     away = [np.linalg.norm(named_px(model, one)[0][rows] - true_px, axis=1).mean() * pixel_mm for _, one in laid]
-    seen = [features(model, one, facing, proposal.labels, told_by(hints)) for facing, one in laid]
+    seen = [features(model, one, facing, proposal.labels, judge_hints(hints)) for facing, one in laid]
     return Examples(np.array(seen), np.array(away))
 
 

@@ -17,7 +17,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
-from cloner.stages.obeyed import bent_silhouettes, obey, warnings_of
+from cloner.stages.obeyed import bend_silhouettes, obey, warnings_of
 from kit import fitted, people, studio
 
 FRONT, SIDE, BACK = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK
@@ -235,7 +235,7 @@ def test_an_outline_point_without_a_name_bends_the_skin_that_makes_the_outline_t
     assert shift[1000.0 * np.linalg.norm(person.vertices_m - centre, axis=1) > SUPPORT_MM].max() == 0.0
     assert (
         np.linalg.norm(
-            np.concatenate(bent_silhouettes(outlines, anchored, told).views[FRONT].contours_px) - place, axis=1
+            np.concatenate(bend_silhouettes(outlines, anchored, told).views[FRONT].contours_px) - place, axis=1
         ).min()
         < 0.1
     )
@@ -247,7 +247,7 @@ def test_the_outline_is_bent_through_the_point_too():
     place = start + 20.0 * outward
     points = corrected((FRONT, "waist_left", place))
     _, told = obey(person, points, outlines)
-    bent = bent_silhouettes(outlines, points, told)
+    bent = bend_silhouettes(outlines, points, told)
     assert bent.views[SIDE] is outlines.views[SIDE]
     line = np.concatenate(bent.views[FRONT].contours_px)
     assert np.linalg.norm(line - place, axis=1).min() < 0.1

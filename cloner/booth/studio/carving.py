@@ -23,7 +23,7 @@ from cloner.project.folder import load_photo
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
-from cloner.stages.proposals import propose, settle_hidden
+from cloner.stages.proposals import propose, resolve_hidden
 from cloner.statues.blob_bodies import blob_folder, clone_of_blobs
 from cloner.statues.blobs import Blob, written_blobs
 from cloner.statues.carved import statue_of
@@ -141,7 +141,7 @@ def _seen(photo: Photo) -> dict[str, Array]:
     """Return the places (2,) of a face's named points in a photo, pixels; nothing where the nets see no face."""
     photos = PhotoSet({photo.view: photo})
     try:
-        proposals = settle_hidden(photos, {photo.view: propose(photo)}, {})
+        proposals = resolve_hidden(photos, {photo.view: propose(photo)}, {})
         stages = tuple(stage for stage in pipeline.STAGES if stage.name == "points")
         told: dict[str, Any] = {"photos": photos, "proposals": proposals, "corrections": no_corrections()}
         made: dict[str, Any] = dict(pipeline.run(told, stages=stages)[0])

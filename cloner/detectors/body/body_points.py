@@ -16,11 +16,11 @@ import numpy as np
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.front_cues import sole_row
-from cloner.detectors.body.front_features import Found, Look, crotch, look_along, side_points
+from cloner.detectors.body.front_features import Found, SideFindings, crotch, find_side, side_points
 from cloner.detectors.body.levels import load_levels, load_offsets
 from cloner.detectors.body.photo_states import cut_states, front_states, turned_states
-from cloner.detectors.body.pose_order import in_order
-from cloner.detectors.body.side_features import look_from_side, profile_points
+from cloner.detectors.body.pose_order import corrected_pose
+from cloner.detectors.body.side_features import find_from_side, profile_points
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic import seen_points
@@ -62,13 +62,13 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
     figure = figure_of(proposal.mask)
     if figure is None:
         raise ValueError(f"{proposal.view}: the mask shows nobody")
-    pose, states = in_order(figure, proposal.pose_px, proposal.view)
-    figure = completed(figure, pose, KINDS[proposal.view])
+    pose, states = corrected_pose(figure, proposal.pose_px, proposal.view)
+    figure = with_cut_ends(figure, pose, KINDS[proposal.view])
     if proposal.view is ViewId.BODY_SIDE:
-        found, seen = _from_side(figure, pose, proposal)
+        found, seen = _side_points(figure, pose, proposal)
     else:
-        found, seen = _from_front(figure, pose, proposal)
-    found = _head_and_feet(figure, pose, proposal) | found | _under_clothes(found, pose, proposal)
+        found, seen = _front_points(figure, pose, proposal)
+    found = _head_and_feet(figure, pose, proposal) | found | _label_net_joints(found, pose, proposal)
     names = tuple(found)
     return ViewPoints(
         proposal.view,
@@ -80,15 +80,15 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
     )
 
 
-def looks_right(pose_px: Array) -> bool:
-    """Whether a person seen from the side looks towards the image's right: nose against ears, toes against heels."""
+def faces_image_right(pose_px: Array) -> bool:
+    """Return whether a person seen from the side faces the image's right: nose against ears, toes against heels."""
     head = pose_px[net.NOSE, 0] - pose_px[list(net.EARS), 0].mean()
     feet = pose_px[list(net.TOES), 0].mean() - pose_px[list(net.HEELS), 0].mean()
     return bool(head + 0.5 * feet > 0)
 
 
-def completed(figure: Figure, pose_px: Array, kind: str) -> Figure:
-    """Return the figure with ends that the picture cuts off put where the pose says that they are."""
+def with_cut_ends(figure: Figure, pose_px: Array, kind: str) -> Figure:
+    """Return the figure with ends beyond the photo's border placed where the pose puts them."""
     if not {"top", "bottom"} & set(figure.cut):
         return figure
     model = load_levels(kind)
@@ -103,10 +103,10 @@ def completed(figure: Figure, pose_px: Array, kind: str) -> Figure:
     return replace(figure, top_px=top, bottom_px=bottom)
 
 
-def _from_front(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
+def _front_points(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
     """Return points and states of a front or back photo."""
     kind, hair = KINDS[proposal.view], proposal.labels == Label.HAIR
-    looks = (look_along(figure, pose, net.LEFT, kind, hair), look_along(figure, pose, net.RIGHT, kind, hair))
+    looks = (find_side(figure, pose, net.LEFT, kind, hair), find_side(figure, pose, net.RIGHT, kind, hair))
     found: Found = {}
     for look in looks:
         found |= side_points(figure, pose, look, kind)
@@ -117,7 +117,7 @@ def _from_front(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found,
     return found, front_states(figure, pose, proposal.pose_visibility, looks, found, proposal.view)
 
 
-def _sole(figure: Figure, pose: Array, look: Look) -> tuple[Array, float]:
+def _sole(figure: Figure, pose: Array, look: SideFindings) -> tuple[Array, float]:
     """Return the lowest outline under an ankle."""
     ankle = pose[net.ANKLES[look.flank.side]]
     if "bottom" in figure.cut:
@@ -125,11 +125,11 @@ def _sole(figure: Figure, pose: Array, look: Look) -> tuple[Array, float]:
     return np.array([ankle[0], sole_row(figure, look.flank, float(ankle[1]))]), END_ERROR
 
 
-def _from_side(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
+def _side_points(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
     """Return points and states of a side photo."""
-    right = looks_right(pose)
+    right = faces_image_right(pose)
     near = net.RIGHT if right else net.LEFT
-    look = look_from_side(figure, pose, near, 1.0 if right else -1.0, proposal.labels == Label.HAIR)
+    look = find_from_side(figure, pose, near, 1.0 if right else -1.0, proposal.labels == Label.HAIR)
     found = profile_points(figure, pose, look)
     for side, name in enumerate(net.SIDES):
         error = CUT_ERROR if "bottom" in figure.cut else END_ERROR
@@ -137,9 +137,9 @@ def _from_side(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, 
     return found, cut_states(figure, proposal.view) + turned_states(figure, pose, proposal.view)
 
 
-def _under_clothes(found: Found, pose: Array, proposal: Proposal) -> Found:
-    """Return the joints among the found points where the label net sees them, if it looked."""
-    near = "right" if looks_right(pose) else "left"
+def _label_net_joints(found: Found, pose: Array, proposal: Proposal) -> Found:
+    """Return the joints that the label net sees under the clothes, if it ran."""
+    near = "right" if faces_image_right(pose) else "left"
     shown = near if proposal.view is ViewId.BODY_SIDE else KINDS[proposal.view]
     return {
         name: (point, MEAN_DISTANCE * seen_points.spread(name, shown))
@@ -149,13 +149,13 @@ def _under_clothes(found: Found, pose: Array, proposal: Proposal) -> Found:
 
 
 def _head_and_feet(figure: Figure, pose: Array, proposal: Proposal) -> Found:
-    """Return the head's top and the net's own points on head and feet, their usual errors taken off."""
+    """Return the head's top and the net's own points on head and feet, corrected for their mean errors."""
     offsets, view = load_offsets(KINDS[proposal.view]), proposal.view
-    forwards = 1.0 if looks_right(pose) else -1.0
+    forwards = 1.0 if faces_image_right(pose) else -1.0
     found: Found = {"head_top": (figure.top_px, CUT_ERROR if "top" in figure.cut else END_ERROR)}
     for name, row in net.FEATURES.items():
         side = "left" if name.endswith(("_left", "_L")) else "right"
-        if not is_seen(name, side, view, right=forwards > 0):
+        if not is_visible(name, side, view, right=forwards > 0):
             continue
         bare = name.removesuffix(f"_{side}").removesuffix(f"_{side[0].upper()}")
         offset, error = offsets.of(bare)
@@ -167,8 +167,8 @@ def _head_and_feet(figure: Figure, pose: Array, proposal: Proposal) -> Found:
     return found
 
 
-def is_seen(name: str, side: str, view: ViewId, *, right: bool) -> bool:
-    """Whether a feature of head or feet can be seen at all in a view.
+def is_visible(name: str, side: str, view: ViewId, *, right: bool) -> bool:
+    """Return whether a feature of head or feet can be visible in a view.
 
     Parameters
     ----------

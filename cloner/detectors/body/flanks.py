@@ -1,4 +1,4 @@
-"""The outline of a front or back photo beside the pose's axes: one flank a side, row by row, and two arms."""
+"""The contour of a front or back photo beside the pose's axes: one side contour each, row by row, and two arms."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ _FINGERS: Final = _CALIBRATED.number("fingers", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Flank:
-    """One side of a person seen from the front or behind, one entry a picture row.
+class SideContour:
+    """The contour on one side of a person seen from the front or behind, one entry per picture row.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Flank:
 
     @property
     def half_width(self) -> Array:
-        """Distance of the outer border from the trunk's middle line, (T,) px."""
+        """Return the distance (T,) px of the outer contour from the trunk's middle line."""
         outer = self.strip.centres_px[:, 0] + self.outwards * self.strip.far
         return np.asarray((outer - self.midline) * self.outwards)
 
@@ -70,27 +70,27 @@ class Flank:
         return float(row - self.rows[0])
 
 
-def outwards_of(pose_px: Array, side: int) -> float:
+def outward_sign(pose_px: Array, side: int) -> float:
     """Return 1 where a side's shoulder and hip lie to the image's right of the other's, else -1."""
     apart = sum(float(pose_px[pair[side], 0] - pose_px[pair[1 - side], 0]) for pair in (net.SHOULDERS, net.HIPS))
     return 1.0 if apart > 0 else -1.0
 
 
-def arm_line(pose_px: Array, side: int) -> Array:
+def arm_polyline(pose_px: Array, side: int) -> Array:
     """Return (4, 2) shoulder, elbow, wrist and fingertips of an arm, px."""
     shoulder, elbow, wrist = (pose_px[pair[side]] for pair in (net.SHOULDERS, net.ELBOWS, net.WRISTS))
     knuckles = (pose_px[net.FINGERS[0][side]] + pose_px[net.FINGERS[1][side]]) / 2
     return np.array([shoulder, elbow, wrist, wrist + (1.0 + _FINGERS) * (knuckles - wrist)])
 
 
-def columns_at(rows: Array, line_px: Array) -> Array:
-    """Return (T,) columns of a polyline (K, 2) that runs downwards; straight on beyond its ends."""
+def polyline_columns(rows: Array, line_px: Array) -> Array:
+    """Return the columns (T,) of a downward polyline (K, 2) at some rows, extrapolated beyond its ends."""
     down = np.maximum.accumulate(line_px[:, 1]) + 1e-3 * np.arange(len(line_px))
     return np.interp(rows, down, line_px[:, 0])
 
 
-def find_flank(figure: Figure, pose_px: Array, side: int, hair: Bools) -> Flank:
-    """Return the outline beside one side's axis.
+def find_side_contour(figure: Figure, pose_px: Array, side: int, hair: Bools) -> SideContour:
+    """Return the contour beside one side's axis.
 
     Parameters
     ----------
@@ -99,21 +99,23 @@ def find_flank(figure: Figure, pose_px: Array, side: int, hair: Bools) -> Flank:
     side : int
     hair : (H, W) bool
     """
-    outwards = outwards_of(pose_px, side)
+    outwards = outward_sign(pose_px, side)
     ears, shoulders, hips = (pose_px[list(pair)].mean(axis=0) for pair in (net.EARS, net.SHOULDERS, net.HIPS))
     rows = np.arange(np.floor(ears[1]), np.ceil(figure.bottom_px[1]) + 1.0)
     middle = [ears, shoulders, hips]
-    midline = columns_at(rows, np.array(middle))
-    leg = [np.array([columns_at(rows, _leg(pose_px, which, middle[:2])), rows]).T for which in (side, 1 - side)]
+    midline = polyline_columns(rows, np.array(middle))
+    leg = [np.array([polyline_columns(rows, _leg(pose_px, which, middle[:2])), rows]).T for which in (side, 1 - side)]
     across = np.tile([outwards, 0.0], (len(rows), 1))
     strip = walk_strip(figure, leg[0], across, REACH * figure.height_px, slack_px=SLACK * figure.height_px)
-    arm_gap, arm_column = _beside_arm(figure, pose_px, side, rows, leg[0])
+    arm_gap, arm_column = _gap_beside_arm(figure, pose_px, side, rows, leg[0])
     outer = leg[0][:, 0] + outwards * strip.far
     close = np.abs(outer - arm_column) < ARM_HALF * figure.height_px
     closed = np.isfinite(arm_column) & ~(arm_gap > 0.0) & close
     within = np.stack([outer - outwards * 0.005 * figure.height_px, rows], axis=1)
     veiled = sample(hair.astype(np.float32), np.nan_to_num(within)) > 0.5
-    return Flank(side, outwards, rows, strip, midline, arm_gap, gap_between(figure, leg[0], leg[1]), closed, veiled)
+    return SideContour(
+        side, outwards, rows, strip, midline, arm_gap, gap_between(figure, leg[0], leg[1]), closed, veiled
+    )
 
 
 def _leg(pose_px: Array, side: int, above: list[Array]) -> Array:
@@ -121,11 +123,11 @@ def _leg(pose_px: Array, side: int, above: list[Array]) -> Array:
     return np.array([*above, *(pose_px[pair[side]] for pair in (net.HIPS, net.KNEES, net.ANKLES))])
 
 
-def _beside_arm(figure: Figure, pose_px: Array, side: int, rows: Array, leg_px: Array) -> tuple[Array, Array]:
-    """Return (T,) background between arm and trunk and (T,) columns of the arm's axis; NaN beside no arm."""
-    line = arm_line(pose_px, side)
+def _gap_beside_arm(figure: Figure, pose_px: Array, side: int, rows: Array, leg_px: Array) -> tuple[Array, Array]:
+    """Return the background (T,) between arm and trunk, and the columns (T,) of the arm's axis; NaN beside no arm."""
+    line = arm_polyline(pose_px, side)
     beside = (rows >= line[0, 1]) & (rows <= line[:, 1].max())
-    column = np.where(beside, columns_at(rows, line), np.nan)
+    column = np.where(beside, polyline_columns(rows, line), np.nan)
     gap = np.full(len(rows), np.nan)
     if beside.any():
         arm = np.stack([column, rows], axis=1)[beside]
@@ -134,8 +136,8 @@ def _beside_arm(figure: Figure, pose_px: Array, side: int, rows: Array, leg_px: 
 
 
 def arm_strip(figure: Figure, pose_px: Array, side: int) -> tuple[Strip, Array]:
-    """Return the outline across one arm, ``far`` outwards, and the path length (T,) from the shoulder, px."""
-    line = arm_line(pose_px, side)
+    """Return the contour across one arm, ``far`` outwards, and the path length (T,) from the shoulder, px."""
+    line = arm_polyline(pose_px, side)
     places, along = polyline(line)
     blur = max(0.04 * figure.height_px, 1.0)
     ahead, behind = np.clip(along + blur, 0, along[-1]), np.clip(along - blur, 0, along[-1])
@@ -143,6 +145,6 @@ def arm_strip(figure: Figure, pose_px: Array, side: int) -> tuple[Strip, Array]:
     tangent = np.stack([np.interp(ahead, corners, line[:, k]) - np.interp(behind, corners, line[:, k]) for k in (0, 1)])
     tangent = (tangent / np.maximum(np.linalg.norm(tangent, axis=0), 1e-9)).T
     across = np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)  # to the image's right of an arm that hangs down
-    across = across * outwards_of(pose_px, side)
+    across = across * outward_sign(pose_px, side)
     reach = 0.08 * figure.height_px
     return walk_strip(figure, places, across, reach, slack_px=SLACK * figure.height_px), along

@@ -1,4 +1,4 @@
-"""What pose and contour of a front or back photo say about levels along the body, for one side.
+"""Levels along the body that pose and contour of a front or back photo suggest, for one side.
 
 A level is a height over the lowest outline in figure heights: 0 at the soles, 1 at the top. Names that begin
 with ``net_`` come from the pose net, with ``cue_`` from the contour.
@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.flanks import Flank, arm_strip
+from cloner.detectors.body.flanks import SideContour, arm_strip
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SMOOTH, Figure, Strip, extreme, gap_top, smoothed
@@ -35,8 +35,8 @@ def row_of(figure: Figure, level: float) -> float:
     return float(figure.bottom_px[1] - level * figure.height_px)
 
 
-def front_cues(figure: Figure, pose_px: Array, flank: Flank) -> dict[str, float]:
-    """Return levels by name; what cannot be seen is absent."""
+def front_cues(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float]:
+    """Return levels by name, without those that cannot be seen."""
     side, other = flank.side, 1 - flank.side
     rows = {
         "net_ears": pose_px[list(net.EARS), 1].mean(),
@@ -58,7 +58,7 @@ def front_cues(figure: Figure, pose_px: Array, flank: Flank) -> dict[str, float]
     return {name: level_of(figure, row) for name, row in found.items()}
 
 
-def _gaps(figure: Figure, flank: Flank) -> dict[str, float | None]:
+def _gaps(figure: Figure, flank: SideContour) -> dict[str, float | None]:
     """Return the entries at which the gaps below armpit and crotch open."""
     least = GAP * figure.height_px
     legs = np.where(np.isfinite(flank.strip.centres_px[:, 0]), flank.leg_gap, 0.0)
@@ -68,8 +68,8 @@ def _gaps(figure: Figure, flank: Flank) -> dict[str, float | None]:
     }
 
 
-def _trunk(figure: Figure, pose_px: Array, flank: Flank) -> dict[str, float | None]:
-    """Return the entries of neck, waist and hip by the half width's extremes."""
+def _trunk(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
+    """Return the entries of neck, waist and hip at the extremes of the half width."""
     blur = SMOOTH * figure.height_px
     half = smoothed(np.where(flank.arm_outline, np.nan, flank.half_width), blur)
     bare = np.where(flank.veiled, np.nan, half)
@@ -89,8 +89,8 @@ def _trunk(figure: Figure, pose_px: Array, flank: Flank) -> dict[str, float | No
     return found
 
 
-def _leg(figure: Figure, pose_px: Array, flank: Flank) -> dict[str, float | None]:
-    """Return the entries of the leg's narrow and wide places."""
+def _leg(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
+    """Return the entries of the leg's narrowest and widest places."""
     width = smoothed(np.where(flank.leg_gap > 0.0, flank.strip.width, np.nan), SMOOTH * figure.height_px)
     hip, knee, ankle = (flank.place(float(pose_px[pair[flank.side], 1])) for pair in (net.HIPS, net.KNEES, net.ANKLES))
     shank = ankle - knee
@@ -102,7 +102,7 @@ def _leg(figure: Figure, pose_px: Array, flank: Flank) -> dict[str, float | None
     }
 
 
-def sole_row(figure: Figure, flank: Flank, ankle_row: float) -> float:
+def sole_row(figure: Figure, flank: SideContour, ankle_row: float) -> float:
     """Return the picture row of the lowest outline under one ankle."""
     start = round(flank.place(ankle_row))
     inside = np.isfinite(flank.strip.far[max(start, 0) :])
@@ -112,7 +112,7 @@ def sole_row(figure: Figure, flank: Flank, ankle_row: float) -> float:
 
 
 def arm_cues(figure: Figure, pose_px: Array, side: int) -> tuple[dict[str, float], Strip, Array]:
-    """Return places along one arm as shares of its length, its strip, and the share (T,) of every entry."""
+    """Return places along one arm as shares of its length, its strip, and the share (T,) at every entry."""
     strip, along = arm_strip(figure, pose_px, side)
     shoulder, elbow, wrist = (pose_px[pair[side]] for pair in (net.SHOULDERS, net.ELBOWS, net.WRISTS))
     upper, fore = float(np.linalg.norm(elbow - shoulder)), float(np.linalg.norm(wrist - elbow))

@@ -1,4 +1,4 @@
-"""Named points of a front or back photo: levels from pose and contour together, places on the outline itself."""
+"""Named points of a front or back photo: levels from pose and contour together, points on the contour itself."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.flanks import Flank, arm_line, find_flank
+from cloner.detectors.body.flanks import SideContour, arm_polyline, find_side_contour
 from cloner.detectors.body.front_cues import arm_cues, front_cues, row_of, sole_row
-from cloner.detectors.body.levels import Levels, Offsets, conclude, load_levels, load_offsets
+from cloner.detectors.body.levels import Levels, Offsets, infer_levels, load_levels, load_offsets
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
@@ -38,7 +38,7 @@ FOOT_END: Final = _CALIBRATED.number("foot_end", "figure")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Look:
+class SideFindings:
     """What was found along one side of a front or back photo.
 
     Attributes
@@ -56,7 +56,7 @@ class Look:
         Places along the arm.
     """
 
-    flank: Flank
+    flank: SideContour
     cues: Mapping[str, float]
     levels: Levels
     arm: Strip
@@ -64,11 +64,11 @@ class Look:
     arm_levels: Levels
 
     def used(self, cue: str) -> bool:
-        """Whether a level was seen and agrees with the others."""
+        """Return whether a level was found and agrees with the others."""
         return cue in self.cues and cue not in self.levels.refused
 
 
-def look_along(figure: Figure, pose_px: Array, side: int, kind: str, hair: NDArray[np.bool_]) -> Look:
+def find_side(figure: Figure, pose_px: Array, side: int, kind: str, hair: NDArray[np.bool_]) -> SideFindings:
     """Return what pose and contour show along one side.
 
     Parameters
@@ -79,19 +79,24 @@ def look_along(figure: Figure, pose_px: Array, side: int, kind: str, hair: NDArr
     kind : "front" or "back"
     hair : (H, W) bool
     """
-    flank = find_flank(figure, pose_px, side, hair)
+    flank = find_side_contour(figure, pose_px, side, hair)
     cues = front_cues(figure, pose_px, flank)
     places, strip, share = arm_cues(figure, pose_px, side)
-    return Look(
-        flank, cues, conclude(load_levels(kind), cues), strip, share, conclude(load_levels(f"arm_{kind}"), places)
+    return SideFindings(
+        flank,
+        cues,
+        infer_levels(load_levels(kind), cues),
+        strip,
+        share,
+        infer_levels(load_levels(f"arm_{kind}"), places),
     )
 
 
-def side_points(figure: Figure, pose_px: Array, look: Look, kind: str) -> Found:
+def side_points(figure: Figure, pose_px: Array, look: SideFindings, kind: str) -> Found:
     """Return the named points of one side, joints too."""
     name = net.SIDES[look.flank.side]
-    found = {f"{n}_{name}": placed for n, placed in _on_flank(figure, look).items()}
-    found |= {f"{n}_{name}": placed for n, placed in _on_arm(figure, look).items()}
+    found = {f"{n}_{name}": placed for n, placed in _contour_points(figure, look).items()}
+    found |= {f"{n}_{name}": placed for n, placed in _arm_contour_points(figure, look).items()}
     found |= {f"{n}_{name}": placed for n, placed in _shoulder(figure, pose_px, look).items()}
     armpit = _armpit(figure, pose_px, look, kind)
     if armpit is not None:
@@ -100,14 +105,14 @@ def side_points(figure: Figure, pose_px: Array, look: Look, kind: str) -> Found:
     foot = foot_end(figure, pose_px, look)
     if foot is not None and "bottom" not in figure.cut:
         end = "toe" if kind == "front" else "heel"
-        found[f"{end}_{name}"] = _moved(figure, look, end, {"outline": foot}, offsets)
+        found[f"{end}_{name}"] = _corrected_joint(figure, look, end, {"outline": foot}, offsets)
     for joint, places in joint_places(figure, pose_px, look).items():
-        found[f"{name[0]}_{joint}"] = _moved(figure, look, joint, places, offsets)
+        found[f"{name[0]}_{joint}"] = _corrected_joint(figure, look, joint, places, offsets)
     return found
 
 
-def _border(figure: Figure, look: Look, name: str, *, far: bool) -> Placed | None:
-    """Return the outline at a feature's level with its expected error."""
+def _contour_point(figure: Figure, look: SideFindings, name: str, *, far: bool) -> Placed | None:
+    """Return the contour at a feature's level, with its expected error."""
     place = look.flank.place(row_of(figure, look.levels.level[name]))
     point = look.flank.strip.border_px(place, far=far)
     if point is None:
@@ -116,28 +121,28 @@ def _border(figure: Figure, look: Look, name: str, *, far: bool) -> Placed | Non
     ends = [look.flank.strip.border_px(place + at, far=far) for at in (-step, step)]
     lean = [abs(float(end[0] - point[0])) / step for end in ends if end is not None]
     steep = min(float(np.mean(lean)), _LEAN) if lean else _LEAN
-    return point, _spread_error(look.levels.spread[name]) * float(np.hypot(1.0, steep)) + MASK_ERROR
+    return point, _level_error(look.levels.spread[name]) * float(np.hypot(1.0, steep)) + MASK_ERROR
 
 
-def _spread_error(spread: float) -> float:
+def _level_error(spread: float) -> float:
     return MEAN_OF_NORMAL * spread
 
 
-def _on_flank(figure: Figure, look: Look) -> Found:
-    """Return the points on the trunk's and the leg's borders."""
+def _contour_points(figure: Figure, look: SideFindings) -> Found:
+    """Return the points on the contours of trunk and leg."""
     flank, found = look.flank, dict[str, Placed]()
     for name in ("waist", "hip", "knee_outer", "ankle_outer", "knee_inner", "ankle_inner"):
         entry = round(np.clip(flank.place(row_of(figure, look.levels.level[name])), 0, len(flank.rows) - 1))
         inner = name.endswith("inner")
         hidden = flank.leg_gap[entry] <= 0.0 if inner else flank.arm_outline[entry]
-        placed = None if hidden else _border(figure, look, name, far=not inner)
+        placed = None if hidden else _contour_point(figure, look, name, far=not inner)
         if placed is not None:
             found[name] = placed
     return found
 
 
-def _on_arm(figure: Figure, look: Look) -> Found:
-    """Return the points on the arm's borders."""
+def _arm_contour_points(figure: Figure, look: SideFindings) -> Found:
+    """Return the points on the arm's contours."""
     found: Found = {}
     length = look.arm_levels.level["net_length"]
     for name in ("elbow_outer", "elbow_inner", "wrist_outer", "wrist_inner"):
@@ -145,18 +150,18 @@ def _on_arm(figure: Figure, look: Look) -> Found:
         point = look.arm.border_px(place, far=name.endswith("outer"))
         if point is None or not _is_arm(figure, look, place):
             continue
-        found[name] = point, _spread_error(look.arm_levels.spread[name]) * length + MASK_ERROR
+        found[name] = point, _level_error(look.arm_levels.spread[name]) * length + MASK_ERROR
     return found
 
 
-def _is_arm(figure: Figure, look: Look, place: float) -> bool:
-    """Whether the outline across an arm's axis is the arm's alone."""
+def _is_arm(figure: Figure, look: SideFindings, place: float) -> bool:
+    """Return whether the contour across an arm's axis belongs to the arm alone."""
     width = look.arm.width[round(np.clip(place, 0, len(look.arm.near) - 1))]
     return bool(np.isfinite(width) and width < ARM_WIDTH * figure.height_px)
 
 
-def _shoulder(figure: Figure, pose_px: Array, look: Look) -> Found:
-    """Return the neck's base and the shoulder's end, by their shares of the shoulders' breadth."""
+def _shoulder(figure: Figure, pose_px: Array, look: SideFindings) -> Found:
+    """Return the base of the neck and the end of the shoulder, as shares of the shoulder width."""
     shoulders = pose_px[list(net.SHOULDERS)]
     middle, own = shoulders.mean(axis=0), shoulders[look.flank.side]
     breadth = abs(float(own[0] - middle[0])) / figure.height_px
@@ -164,7 +169,7 @@ def _shoulder(figure: Figure, pose_px: Array, look: Look) -> Found:
         name: float(middle[0] + look.arm_levels.level[name] * (own[0] - middle[0]))
         for name in ("neck_base", "shoulder_end")
     }
-    error = {name: _spread_error(look.arm_levels.spread[name]) * breadth for name in column}
+    error = {name: _level_error(look.arm_levels.spread[name]) * breadth for name in column}
     found: Found = {}
     rows = np.arange(own[1] + 0.03 * figure.height_px, own[1] - 0.10 * figure.height_px, -1.0)
     line = np.stack([np.full(len(rows), column["shoulder_end"]), rows], axis=1)
@@ -175,24 +180,26 @@ def _shoulder(figure: Figure, pose_px: Array, look: Look) -> Found:
     base = np.array([column["neck_base"], row_of(figure, look.levels.level["neck_base"])])
     nearest = look.flank.strip.nearest_px(base, far=True, reach_px=NECK_REACH * figure.height_px)
     if nearest is not None and not look.flank.veiled[round(look.flank.place(float(nearest[1])))]:
-        level_error = _spread_error(look.levels.spread["neck_base"])
+        level_error = _level_error(look.levels.spread["neck_base"])
         found["neck_base"] = nearest, float(np.hypot(error["neck_base"], level_error)) + MASK_ERROR
     return found
 
 
-def _armpit(figure: Figure, pose_px: Array, look: Look, kind: str) -> Placed | None:
+def _armpit(figure: Figure, pose_px: Array, look: SideFindings, kind: str) -> Placed | None:
     """Return the top of the background between arm and trunk, None where it is not the armpit's."""
     flank = look.flank
     if not look.used("cue_armpit"):
         return None
     row = row_of(figure, look.cues["cue_armpit"])
     entry = round(flank.place(row))
-    line = arm_line(pose_px, flank.side)
+    line = arm_polyline(pose_px, flank.side)
     arm = np.array([np.interp(row, np.maximum.accumulate(line[:, 1]), line[:, 0]), row])
     return _gap_point(figure, look, "armpit", kind, flank.strip.centres_px[entry], arm)
 
 
-def crotch(figure: Figure, looks: tuple[Look, Look], kind: str, labels: NDArray[np.uint8]) -> Placed | None:
+def crotch(
+    figure: Figure, looks: tuple[SideFindings, SideFindings], kind: str, labels: NDArray[np.uint8]
+) -> Placed | None:
     """Return the top of the background between the legs, None where it is not the crotch.
 
     Under the hem of a coat or a long shirt it is not: there the garment above ends and the legs go on in another.
@@ -206,7 +213,7 @@ def crotch(figure: Figure, looks: tuple[Look, Look], kind: str, labels: NDArray[
 
 
 def _under_a_hem(labels: NDArray[np.uint8], apex_px: Array, ends_px: Array, height_px: float) -> bool:
-    """Whether upper clothes are seen above a gap and none on both legs (2, 2) px beside it."""
+    """Return whether upper clothes are seen above a gap, and none on both legs (2, 2) px beside it."""
     steps = height_px * np.linspace(*HEM_REACH, 8)
     above = labels_at(labels, apex_px - steps[:, None] * [0.0, 1.0])
     legs = [np.array([column, apex_px[1]]) for column in ends_px[:, 0]]
@@ -215,8 +222,10 @@ def _under_a_hem(labels: NDArray[np.uint8], apex_px: Array, ends_px: Array, heig
     return upper[0] > 0.5 > max(upper[1:])
 
 
-def _gap_point(figure: Figure, look: Look, name: str, kind: str, first_px: Array, second_px: Array) -> Placed | None:
-    """Return the top of a gap; the farther from the place where it usually opens, the less it is trusted."""
+def _gap_point(
+    figure: Figure, look: SideFindings, name: str, kind: str, first_px: Array, second_px: Array
+) -> Placed | None:
+    """Return the top of a gap; its confidence falls with the distance from where it usually opens."""
     model = load_levels(kind)
     usual = float(model.mean[model.index(name)] - model.mean[model.index(f"cue_{name}")])
     away = look.levels.level[name] - look.cues[f"cue_{name}"] - usual
@@ -226,8 +235,8 @@ def _gap_point(figure: Figure, look: Look, name: str, kind: str, first_px: Array
     return apex(figure, *ordered), float(np.hypot(GAP_ERROR, away)) + MASK_ERROR
 
 
-def joint_places(figure: Figure, pose_px: Array, look: Look) -> dict[str, dict[str, Array]]:
-    """Return places of the joint centres before their usual error is taken off.
+def joint_places(figure: Figure, pose_px: Array, look: SideFindings) -> dict[str, dict[str, Array]]:
+    """Return positions of the joint centres before their mean error is subtracted.
 
     Each joint maps to places by source: ``net`` keeps the net's place across the limb,
     ``middle`` lies halfway between the limb's two outline points (method §5).
@@ -249,7 +258,7 @@ def joint_places(figure: Figure, pose_px: Array, look: Look) -> dict[str, dict[s
     return found
 
 
-def foot_end(figure: Figure, pose_px: Array, look: Look) -> Array | None:
+def foot_end(figure: Figure, pose_px: Array, look: SideFindings) -> Array | None:
     """Return the middle of the foot a little above its lowest row: the toes from the front, the heel from behind."""
     flank = look.flank
     sole = sole_row(figure, flank, float(pose_px[net.ANKLES[flank.side], 1]))
@@ -260,8 +269,10 @@ def foot_end(figure: Figure, pose_px: Array, look: Look) -> Array | None:
     return middle if np.isfinite(middle).all() else None
 
 
-def _moved(figure: Figure, look: Look, joint: str, places: Mapping[str, Array], offsets: Offsets) -> Placed:
-    """Return a point's best place with its usual error taken off, and what is left of the error."""
+def _corrected_joint(
+    figure: Figure, look: SideFindings, joint: str, places: Mapping[str, Array], offsets: Offsets
+) -> Placed:
+    """Return a point's best position without its mean error, and the remaining error."""
     source = next(name for name in ("outline", "middle", "net") if name in places)
     offset, left = offsets.of(f"{joint}_{source}")
     outwards_up = np.array([look.flank.outwards, -1.0]) * figure.height_px

@@ -1,4 +1,4 @@
-"""Where features lie along the body, given what a photo shows: one Gaussian over levels of people.
+"""A Gaussian over levels of features along the body, conditioned on those that a photo shows.
 
 The Gaussian is learnt by ``generic_models/build/calibrate_body_levels.py`` from photographs of painted and generated
 people. Conditioned on what was seen it gives every feature's level with its spread; and each seen level is tried
@@ -51,7 +51,7 @@ class LevelModel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Levels:
-    """What is known of all levels of one person after looking.
+    """The inferred levels of one person.
 
     Attributes
     ----------
@@ -67,13 +67,13 @@ class Levels:
     refused: tuple[str, ...]
 
 
-def conclude(model: LevelModel, seen: Mapping[str, float]) -> Levels:
-    """Return all levels given the seen ones; seen ones that contradict the rest are refused, worst first."""
+def infer_levels(model: LevelModel, seen: Mapping[str, float]) -> Levels:
+    """Return all levels given the observed ones; observations that contradict the rest are rejected, worst first."""
     used = [name for name in seen if name in model.names and np.isfinite(seen[name])]
     refused: list[str] = []
     while len(used) > 3:
         rows = [model.index(name) for name in used]
-        precision = np.linalg.inv(_noisy(model, rows))
+        precision = np.linalg.inv(_observation_covariance(model, rows))
         away = precision @ (np.array([seen[name] for name in used]) - model.mean[rows])
         alone = 1.0 / np.diag(precision)
         ratio = np.abs(away * alone) / np.maximum(GATE_SPREADS * np.sqrt(alone), GATE_LEAST)
@@ -84,16 +84,16 @@ def conclude(model: LevelModel, seen: Mapping[str, float]) -> Levels:
     return _conditioned(model, {name: seen[name] for name in used}, tuple(refused))
 
 
-def _noisy(model: LevelModel, rows: list[int]) -> Array:
+def _observation_covariance(model: LevelModel, rows: list[int]) -> Array:
     return np.asarray(model.covariance[np.ix_(rows, rows)] + UNKNOWN**2 * np.eye(len(rows)))
 
 
 def _conditioned(model: LevelModel, seen: Mapping[str, float], refused: tuple[str, ...]) -> Levels:
-    """Return mean and spread of all levels given some."""
+    """Return mean and sigma of all levels given some."""
     rows = [model.index(name) for name in seen]
     mean, covariance = model.mean, model.covariance
     if rows:
-        gain = np.linalg.solve(_noisy(model, rows), covariance[rows]).T
+        gain = np.linalg.solve(_observation_covariance(model, rows), covariance[rows]).T
         mean = mean + gain @ (np.array([seen[name] for name in seen]) - model.mean[rows])
         covariance = covariance - gain @ covariance[rows]
     spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
@@ -105,7 +105,7 @@ def _conditioned(model: LevelModel, seen: Mapping[str, float], refused: tuple[st
 
 
 @contextmanager
-def _opened() -> Iterator[NpzFile]:
+def _archive() -> Iterator[NpzFile]:
     place = importlib.resources.files("cloner_models") / "body_levels.npz"
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         yield archive
@@ -114,7 +114,7 @@ def _opened() -> Iterator[NpzFile]:
 @functools.cache
 def load_levels(kind: str) -> LevelModel:
     """Return the shipped model of "front", "back", "side", "arm_front" or "arm_back", read once per process."""
-    with _opened() as archive:
+    with _archive() as archive:
         names = tuple(str(name) for name in archive[f"{kind}_names"])
         mean, covariance = (archive[f"{kind}_{part}"].astype(np.float64) for part in ("mean", "covariance"))
     mean.setflags(write=False)
@@ -124,7 +124,7 @@ def load_levels(kind: str) -> LevelModel:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Offsets:
-    """Usual errors of proposed points of one kind of photo, figure heights.
+    """Mean errors of proposed points in one kind of photo, figure heights.
 
     Attributes
     ----------
@@ -141,7 +141,7 @@ class Offsets:
     error: Array
 
     def of(self, name: str) -> tuple[Array, float]:
-        """Return the (2,) offset and the error of a point."""
+        """Return the mean error (2,) and the sigma of a point."""
         row = self.names.index(name)
         return self.offset[row], float(self.error[row])
 
@@ -149,7 +149,7 @@ class Offsets:
 @functools.cache
 def load_offsets(kind: str) -> Offsets:
     """Return the shipped offsets of "front", "back" or "side", read once per process."""
-    with _opened() as archive:
+    with _archive() as archive:
         names = tuple(str(name) for name in archive[f"{kind}_point_names"])
         offset, error = (archive[f"{kind}_point_{part}"].astype(np.float64) for part in ("offset", "error"))
     offset.setflags(write=False)

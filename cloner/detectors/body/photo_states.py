@@ -1,4 +1,4 @@
-"""What a body photo shows that makes points unreadable, and what the operator can do about it."""
+"""Conditions in a body photo that make points unreliable, and what the operator can do about them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.flanks import ARM_HALF
 from cloner.detectors.body.front_cues import row_of
-from cloner.detectors.body.front_features import Found, Look
+from cloner.detectors.body.front_features import Found, SideFindings
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
@@ -50,7 +50,7 @@ def turned_degrees(figure: Figure, pose_px: Array) -> float:
 
 
 def turned_states(figure: Figure, pose_px: Array, view: ViewId) -> list[PhotoState]:
-    """Return whether the person stands turned from where the photo's name says."""
+    """Return whether the person is turned away from the view that the photo's name says."""
     if view is ViewId.BODY_SIDE:
         apart = abs(float(pose_px[net.SHOULDERS[0], 0] - pose_px[net.SHOULDERS[1], 0])) / figure.height_px
         advice = f"stand with one shoulder behind the other and retake {view}"
@@ -65,9 +65,14 @@ def turned_states(figure: Figure, pose_px: Array, view: ViewId) -> list[PhotoSta
 
 
 def front_states(
-    figure: Figure, pose_px: Array, visibility: Array, looks: tuple[Look, Look], found: Found, view: ViewId
+    figure: Figure,
+    pose_px: Array,
+    visibility: Array,
+    looks: tuple[SideFindings, SideFindings],
+    found: Found,
+    view: ViewId,
 ) -> list[PhotoState]:
-    """Return what is unusual about a front or back photo.
+    """Return the unusual conditions of a front or back photo.
 
     Parameters
     ----------
@@ -80,13 +85,13 @@ def front_states(
     states = cut_states(figure, view) + turned_states(figure, pose_px, view)
     for look in looks:
         states += _arm_states(figure, pose_px, look, found, view)
-        states += _refused_levels(figure, look)
+        states += _rejected_joints(figure, look)
     if "crotch" not in found:
         states.append(_legs_together(figure, looks, view))
     return states + _foot_states(figure, pose_px, visibility, looks, view)
 
 
-def _arm_states(figure: Figure, pose_px: Array, look: Look, found: Found, view: ViewId) -> list[PhotoState]:
+def _arm_states(figure: Figure, pose_px: Array, look: SideFindings, found: Found, view: ViewId) -> list[PhotoState]:
     """Return whether an arm touches the trunk, and where its hand is."""
     side = net.SIDES[look.flank.side]
     shoulder, wrist = (float(pose_px[pair[look.flank.side], 1]) for pair in (net.SHOULDERS, net.WRISTS))
@@ -104,13 +109,13 @@ def _arm_states(figure: Figure, pose_px: Array, look: Look, found: Found, view: 
 
 
 def _raised(pose_px: Array, side: int) -> bool:
-    """Whether an upper arm is held out so far that the row-wise search below it cannot see its armpit."""
+    """Return whether an upper arm is raised so far that the row-wise search cannot find its armpit."""
     upper = pose_px[net.ELBOWS[side]] - pose_px[net.SHOULDERS[side]]
     return bool(upper[1] < RAISED * np.linalg.norm(upper))
 
 
-def hand_hidden(figure: Figure, pose_px: Array, look: Look) -> bool:
-    """Whether a wrist lies on the trunk or the thighs, with no background between."""
+def hand_hidden(figure: Figure, pose_px: Array, look: SideFindings) -> bool:
+    """Return whether a wrist lies on trunk or thighs, with no background between."""
     wrist = pose_px[net.WRISTS[look.flank.side]]
     entry = round(look.flank.place(float(wrist[1])))
     if not 0 <= entry < len(look.flank.rows):
@@ -125,7 +130,7 @@ def hand_hidden(figure: Figure, pose_px: Array, look: Look) -> bool:
     return bool(not apart and not narrow < 1.5 * ARM_HALF * figure.height_px)
 
 
-def _refused_levels(figure: Figure, look: Look) -> list[PhotoState]:
+def _rejected_joints(figure: Figure, look: SideFindings) -> list[PhotoState]:
     """Return the net's joints that contradict the rest of the body."""
     side, states = net.SIDES[look.flank.side], []
     for name, joint in _JOINTS.items():
@@ -136,7 +141,7 @@ def _refused_levels(figure: Figure, look: Look) -> list[PhotoState]:
     return states
 
 
-def _legs_together(figure: Figure, looks: tuple[Look, Look], view: ViewId) -> PhotoState:
+def _legs_together(figure: Figure, looks: tuple[SideFindings, SideFindings], view: ViewId) -> PhotoState:
     """Return that no gap between the legs shows the crotch."""
     ankle = max(row_of(figure, look.levels.level["joint_ankle"]) for look in looks)
     hip = min(row_of(figure, look.levels.level["joint_hip"]) for look in looks)
@@ -151,7 +156,7 @@ def _legs_together(figure: Figure, looks: tuple[Look, Look], view: ViewId) -> Ph
 
 
 def _foot_states(
-    figure: Figure, pose_px: Array, visibility: Array, looks: tuple[Look, Look], view: ViewId
+    figure: Figure, pose_px: Array, visibility: Array, looks: tuple[SideFindings, SideFindings], view: ViewId
 ) -> list[PhotoState]:
     """Return whether one foot hides the other, or something hides a foot."""
     ankles = pose_px[list(net.ANKLES)]

@@ -1,4 +1,4 @@
-"""Left and right, and which limb is which: a net that took one for the other is caught and put right.
+"""Corrections of the pose net: exchanged sides, limbs and misplaced joints.
 
 The net reads a person, and may read a back as a front, or both knees on one leg. What a front photo shows is
 known: the person's left lies to the image's right, from behind to its left; each leg's joints lie on its own leg.
@@ -32,8 +32,8 @@ OFF_LINE: Final = _CALIBRATED.number("off_line", "figure")
 _EXPECTED: Final = {ViewId.BODY_FRONT: 1.0, ViewId.BODY_BACK: -1.0}
 
 
-def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:
-    """Return the pose with exchanged and misplaced joints put right, and what was found wrong.
+def corrected_pose(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:
+    """Return the pose with exchanged and misplaced joints corrected, and what was wrong.
 
     Parameters
     ----------
@@ -44,82 +44,82 @@ def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple
     """
     pose, states = pose_px.copy(), list[PhotoState]()
     if view is not ViewId.BODY_SIDE:
-        pose, exchanged = _sides_put_right(pose, view, TIE * figure.height_px)
+        pose, exchanged = _with_sides_corrected(pose, view, TIE * figure.height_px)
         states += exchanged
-        pose, crossed = _own_leg(figure, pose)
+        pose, crossed = _joints_on_own_leg(figure, pose)
         states += crossed
-    pose, beside = _on_person(figure, pose, view)
+    pose, beside = _joints_on_person(figure, pose, view)
     return pose, tuple(states + beside)
 
 
-def is_exchanged(pose_px: Array, view: ViewId) -> bool:
-    """Return whether left and right of the whole person (33, 2) lie on each other's side in a front or back photo."""
-    return view in _EXPECTED and _apart(pose_px, (net.SHOULDERS, net.HIPS), _EXPECTED[view]) < 0.0
+def is_mirrored(pose_px: Array, view: ViewId) -> bool:
+    """Return whether left and right of a whole pose (33, 2) are exchanged in a front or back photo."""
+    return view in _EXPECTED and _left_right_distance(pose_px, (net.SHOULDERS, net.HIPS), _EXPECTED[view]) < 0.0
 
 
-def from_mirror(seen: PoseResult, width: int) -> PoseResult:
-    """Return the pose of a photo so many pixels wide from that of its mirror image."""
+def mirrored_pose(seen: PoseResult, width: int) -> PoseResult:
+    """Return the pose of a photo of some width, given that of its mirror image."""
     points, visibility, presence = (
-        _exchanged(each, net.TWINS) for each in (seen.points_px, seen.visibility, seen.presence)
+        _with_pairs_swapped(each, net.TWINS) for each in (seen.points_px, seen.visibility, seen.presence)
     )
     mask = np.ascontiguousarray(seen.mask[:, ::-1])
     return PoseResult(points * (-1.0, 1.0) + (width - 1.0, 0.0), visibility, presence, seen.score, mask)
 
 
-def read_again(
+def pose_by_mirror(
     rgb: NDArray[np.uint8], view: ViewId, pose: PoseResult, net_of: Callable[[NDArray[np.uint8]], PoseResult | None]
 ) -> PoseResult:
-    """Return a pose, or that of the photo's mirror image where this one has left and right exchanged and that has not.
+    """Return a pose, or that of the mirror image where left and right are exchanged here and not there.
 
     A back that is read as a front has more wrong than its sides: elbows lie on the trunk. ``net_of`` reads a photo.
     """
-    if not is_exchanged(pose.points_px, view):
+    if not is_mirrored(pose.points_px, view):
         return pose
     mirrored = net_of(np.ascontiguousarray(rgb[:, ::-1]))
-    again = pose if mirrored is None else from_mirror(mirrored, rgb.shape[1])
-    return pose if is_exchanged(again.points_px, view) else again
+    again = pose if mirrored is None else mirrored_pose(mirrored, rgb.shape[1])
+    return pose if is_mirrored(again.points_px, view) else again
 
 
-def _apart(pose: Array, pairs: Sequence[tuple[int, int]], expected: float) -> float:
+def _left_right_distance(pose: Array, pairs: Sequence[tuple[int, int]], expected: float) -> float:
     """Return how far left lies on its own side of right, px; negative when exchanged."""
     return expected * float(np.mean([pose[pair[0], 0] - pose[pair[1], 0] for pair in pairs]))
 
 
-def _exchanged(pose: Array, pairs: Sequence[tuple[int, int]]) -> Array:
+def _with_pairs_swapped(pose: Array, pairs: Sequence[tuple[int, int]]) -> Array:
     rows = np.array(pairs)
     swapped = pose.copy()
     swapped[rows[:, 0]], swapped[rows[:, 1]] = pose[rows[:, 1]], pose[rows[:, 0]]
     return swapped
 
 
-def _sides_put_right(pose: Array, view: ViewId, tie_px: float) -> tuple[Array, list[PhotoState]]:
+def _with_sides_corrected(pose: Array, view: ViewId, tie_px: float) -> tuple[Array, list[PhotoState]]:
     """Return the pose with left on the expected side: the whole person, then arms and legs, then single joints."""
     states, expected = [], _EXPECTED[view]
-    if is_exchanged(pose, view):
-        pose = _exchanged(pose, net.TWINS)
-        states.append(_exchange_state("the whole person"))
+    if is_mirrored(pose, view):
+        pose = _with_pairs_swapped(pose, net.TWINS)
+        states.append(_swap_state("the whole person"))
     for name, pairs, checked in (
         ("the arms", net.ARM_TWINS, (net.ELBOWS,)),
         ("the legs", net.LEG_TWINS, (net.KNEES, net.ANKLES)),
     ):
-        if max(_apart(pose, (pair,), expected) for pair in checked) < -tie_px:
-            pose = _exchanged(pose, pairs)
-            states.append(_exchange_state(name))
+        if max(_left_right_distance(pose, (pair,), expected) for pair in checked) < -tie_px:
+            pose = _with_pairs_swapped(pose, pairs)
+            states.append(_swap_state(name))
     for name, alone in (("the knees", (net.KNEES,)), ("the feet", (net.ANKLES, net.HEELS, net.TOES))):
-        if _apart(pose, alone[:1], expected) < -tie_px:
-            pose = _exchanged(pose, alone)
-            states.append(_exchange_state(name))
+        if _left_right_distance(pose, alone[:1], expected) < -tie_px:
+            pose = _with_pairs_swapped(pose, alone)
+            states.append(_swap_state(name))
     return pose, states
 
 
-def _exchange_state(what: str) -> PhotoState:
+def _swap_state(what: str) -> PhotoState:
     return PhotoState(
         StateKind.EXCHANGED, "", f"left and right of {what} were exchanged by the pose net and have been put right"
     )
 
 
-def _own_leg(figure: Figure, pose: Array) -> tuple[Array, list[PhotoState]]:
-    """Return the pose with a knee or ankle that lies on the other leg moved to the middle of its own."""
+def _joints_on_own_leg(figure: Figure, pose: Array) -> tuple[Array, list[PhotoState]]:
+    """Return the pose with a knee or ankle on the other leg moved to the middle of its own."""
     pose, states = pose.copy(), []
     for name, pair in (("knee", net.KNEES), ("ankle", net.ANKLES)):
         for side in (net.LEFT, net.RIGHT):
@@ -132,12 +132,12 @@ def _own_leg(figure: Figure, pose: Array) -> tuple[Array, list[PhotoState]]:
             column = float(pose[pair[side], 0])
             if other[0] <= column <= other[1] and abs(column - lines[0]) > OFF_LINE * figure.height_px:
                 pose[pair[side], 0] = sum(own) / 2
-                states.append(_refused(f"{net.SIDES[side]} {name}", "on the other leg", net.SIDES[side], row))
+                states.append(_rejected_state(f"{net.SIDES[side]} {name}", "on the other leg", net.SIDES[side], row))
     return pose, states
 
 
 def _leg_column(pose: Array, side: int, row: float, joint: str) -> float:
-    """Return the column where a leg should be at a row, from its other joints."""
+    """Return the column where a leg is expected at a row, from its other joints."""
     hip, ankle = pose[net.HIPS[side]], pose[net.ANKLES[side]]
     foot = (pose[net.HEELS[side]] + pose[net.TOES[side]]) / 2
     start, end = (hip, (ankle + foot) / 2) if joint == "knee" else (hip, foot)
@@ -161,8 +161,8 @@ def _leg_runs(
     return (chosen[0], chosen[1]) if chosen[0] != chosen[1] else None
 
 
-def _on_person(figure: Figure, pose: Array, view: ViewId) -> tuple[Array, list[PhotoState]]:
-    """Return the pose with joints that lie beside the person moved between their neighbours."""
+def _joints_on_person(figure: Figure, pose: Array, view: ViewId) -> tuple[Array, list[PhotoState]]:
+    """Return the pose with joints beside the person moved between their neighbours."""
     pose, states = pose.copy(), []
     seen = (net.LEFT, net.RIGHT) if view is not ViewId.BODY_SIDE else ()
     for name, pair, before, after in (
@@ -178,12 +178,14 @@ def _on_person(figure: Figure, pose: Array, view: ViewId) -> tuple[Array, list[P
             between = (pose[before[side]] + pose[after[side]]) / 2
             if figure.inside(between[None])[0]:
                 pose[pair[side]] = between
-            states.append(_refused(f"{net.SIDES[side]} {name}", "beside the person", net.SIDES[side], float(point[1])))
+            states.append(
+                _rejected_state(f"{net.SIDES[side]} {name}", "beside the person", net.SIDES[side], float(point[1]))
+            )
     return pose, states
 
 
 def _near_person(figure: Figure, point: Array) -> bool:
-    """Whether a point lies on the person or a little beside; points beyond the picture do."""
+    """Return whether a point lies on or close to the person; points beyond the photo do."""
     height, width = figure.level.shape
     if not (0 <= point[0] < width and 0 <= point[1] < height):
         return True  # a cut limb; told as such
@@ -192,7 +194,7 @@ def _near_person(figure: Figure, point: Array) -> bool:
     return bool(figure.inside(np.vstack([point[None], around])).any())
 
 
-def _refused(joint: str, where: str, side: str, row: float) -> PhotoState:
+def _rejected_state(joint: str, where: str, side: str, row: float) -> PhotoState:
     return PhotoState(
         StateKind.REFUSED,
         side,

@@ -1,4 +1,4 @@
-"""The outline of a side photo before and behind the body's axis, and what it says about levels along the body."""
+"""The contour of a side photo before and behind the body's axis, and the levels that it suggests."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.body.flanks import ARM_HALF, REACH, SLACK, arm_line, columns_at
+from cloner.detectors.body.flanks import ARM_HALF, REACH, SLACK, arm_polyline, polyline_columns
 from cloner.detectors.body.front_cues import level_of
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
@@ -17,8 +17,8 @@ Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Profile:
-    """A person seen from the side, one entry a picture row.
+class BodyProfile:
+    """A person seen from the side, one entry per picture row.
 
     Attributes
     ----------
@@ -59,8 +59,8 @@ def body_axis(pose_px: Array, near: int) -> Array:
     return np.array([*middles, pose_px[net.KNEES[near]], pose_px[net.ANKLES[near]]])
 
 
-def find_profile(figure: Figure, pose_px: Array, near: int, forwards: float, hair: Bools) -> Profile:
-    """Return the outline before and behind the body.
+def find_body_profile(figure: Figure, pose_px: Array, near: int, forwards: float, hair: Bools) -> BodyProfile:
+    """Return the contour before and behind the body.
 
     Parameters
     ----------
@@ -72,24 +72,24 @@ def find_profile(figure: Figure, pose_px: Array, near: int, forwards: float, hai
     """
     axis = body_axis(pose_px, near)
     rows = np.arange(np.floor(axis[0, 1]), np.ceil(figure.bottom_px[1]) + 1.0)
-    centres = np.stack([columns_at(rows, axis), rows], axis=1)
+    centres = np.stack([polyline_columns(rows, axis), rows], axis=1)
     across = np.tile([forwards, 0.0], (len(rows), 1))
     strip = walk_strip(figure, centres, across, REACH * figure.height_px, slack_px=SLACK * figure.height_px)
     straight = axis[[1, 4]]
     slope = (straight[1, 0] - straight[0, 0]) / max(straight[1, 1] - straight[0, 1], 1.0)
     line = straight[0, 0] + slope * (rows - straight[0, 1])
     columns = [centres[:, 0] + forwards * border for border in (strip.far, strip.near)]
-    arm = arm_line(pose_px, near)
+    arm = arm_polyline(pose_px, near)
     beside = (rows >= arm[1:3, 1].min()) & (rows <= arm[:, 1].max())
-    arm_column = np.where(beside, columns_at(rows, arm), np.inf)
+    arm_column = np.where(beside, polyline_columns(rows, arm), np.inf)
     close = [np.abs(column - arm_column) < 0.8 * ARM_HALF * figure.height_px for column in columns]
     within = np.stack([columns[1] + forwards * 0.005 * figure.height_px, rows], axis=1)
     veiled = sample(hair.astype(np.float32), np.nan_to_num(within)) > 0.5
     front, back = ((column - line) * forwards for column in columns)
-    return Profile(near, forwards, rows, strip, front, back, close[0], close[1], veiled)
+    return BodyProfile(near, forwards, rows, strip, front, back, close[0], close[1], veiled)
 
 
-def side_cues(figure: Figure, pose_px: Array, profile: Profile) -> dict[str, float]:
+def side_cues(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, float]:
     """Return levels by name; what cannot be seen is absent (names as in ``front_cues``)."""
     near = profile.near
     rows = {
@@ -108,15 +108,15 @@ def side_cues(figure: Figure, pose_px: Array, profile: Profile) -> dict[str, flo
     return {name: level_of(figure, row) for name, row in found.items()}
 
 
-def _borders(figure: Figure, profile: Profile) -> tuple[Array, Array]:
-    """Return front and back border, smoothed, NaN where the arm may make them."""
+def _borders(figure: Figure, profile: BodyProfile) -> tuple[Array, Array]:
+    """Return the front and the back contour, smoothed, NaN where the arm may make them."""
     blur = SMOOTH * figure.height_px
     front = smoothed(np.where(profile.front_arm, np.nan, profile.front), blur)
     return front, smoothed(np.where(profile.back_arm, np.nan, profile.back), blur)
 
 
-def _upper(figure: Figure, pose_px: Array, profile: Profile) -> dict[str, float | None]:
-    """Return the entries of neck and trunk by the borders' extremes."""
+def _upper(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, float | None]:
+    """Return the entries of neck and trunk at the extremes of the contours."""
     front, back = _borders(figure, profile)
     bare = np.where(profile.back_veiled, np.nan, back)
     mouth, shoulders, hips = (
@@ -138,8 +138,8 @@ def _upper(figure: Figure, pose_px: Array, profile: Profile) -> dict[str, float 
     }
 
 
-def _lower(figure: Figure, pose_px: Array, profile: Profile) -> dict[str, float | None]:
-    """Return the entries of knee, calf, ankle and foot by the borders' extremes."""
+def _lower(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, float | None]:
+    """Return the entries of knee, calf, ankle and foot at the extremes of the contours."""
     front, back = _borders(figure, profile)
     hips = profile.place(float(pose_px[list(net.HIPS), 1].mean()))
     knee, ankle = (profile.place(float(pose_px[pair[profile.near], 1])) for pair in (net.KNEES, net.ANKLES))
@@ -157,8 +157,8 @@ def _lower(figure: Figure, pose_px: Array, profile: Profile) -> dict[str, float 
     }
 
 
-def foot_ends(figure: Figure, profile: Profile) -> tuple[Array | None, Array | None]:
-    """Return the foremost and rearmost outline point (2,) of the near foot, which is the lowest."""
+def foot_ends(figure: Figure, profile: BodyProfile) -> tuple[Array | None, Array | None]:
+    """Return the foremost and rearmost contour point (2,) of the near foot, which is the lowest."""
     low = profile.rows > figure.bottom_px[1] - 0.035 * figure.height_px
     ends: list[Array | None] = []
     for border, sign in ((profile.strip.far, 1.0), (profile.strip.near, -1.0)):

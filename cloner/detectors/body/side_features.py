@@ -1,4 +1,4 @@
-"""Named points of a side photo: levels from pose and contour together, places on the outline itself."""
+"""Named points of a side photo: levels from pose and contour together, points on the contour itself."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.front_cues import row_of
 from cloner.detectors.body.front_features import MASK_ERROR, MEAN_OF_NORMAL, Found, Placed
-from cloner.detectors.body.levels import Levels, conclude, load_levels, load_offsets
-from cloner.detectors.body.side_cues import Profile, find_profile, foot_ends, side_cues
+from cloner.detectors.body.levels import Levels, infer_levels, load_levels, load_offsets
+from cloner.detectors.body.side_cues import BodyProfile, find_body_profile, foot_ends, side_cues
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure
@@ -55,27 +55,29 @@ _LEAN: Final = _CALIBRATED.number("lean", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SideLook:
-    """What was found along a person seen from the side: outline, seen levels, and all levels given these."""
+class ProfileFindings:
+    """What was found along a person seen from the side: contour, observed levels, and all levels given these."""
 
-    profile: Profile
+    profile: BodyProfile
     cues: Mapping[str, float]
     levels: Levels
 
 
-def look_from_side(figure: Figure, pose_px: Array, near: int, forwards: float, hair: NDArray[np.bool_]) -> SideLook:
-    """Return what pose and contour of a side photo show (arguments as in ``find_profile``)."""
-    profile = find_profile(figure, pose_px, near, forwards, hair)
+def find_from_side(
+    figure: Figure, pose_px: Array, near: int, forwards: float, hair: NDArray[np.bool_]
+) -> ProfileFindings:
+    """Return what pose and contour of a side photo show (arguments as in ``find_body_profile``)."""
+    profile = find_body_profile(figure, pose_px, near, forwards, hair)
     cues = side_cues(figure, pose_px, profile)
-    return SideLook(profile, cues, conclude(load_levels("side"), cues))
+    return ProfileFindings(profile, cues, infer_levels(load_levels("side"), cues))
 
 
-def profile_points(figure: Figure, pose_px: Array, look: SideLook) -> Found:
+def profile_points(figure: Figure, pose_px: Array, look: ProfileFindings) -> Found:
     """Return the named points of a side photo, the near side's joints too."""
     profile, name = look.profile, net.SIDES[look.profile.near]
     found: Found = {}
     for feature, in_front in (MIDDLE | LEG).items():
-        placed = _border(figure, look, feature, in_front=in_front)
+        placed = _contour_point(figure, look, feature, in_front=in_front)
         if placed is not None:
             found[feature if feature in MIDDLE else f"{feature}_{name}"] = placed
     instep = _instep(figure, look)
@@ -92,8 +94,8 @@ def profile_points(figure: Figure, pose_px: Array, look: SideLook) -> Found:
     return found
 
 
-def profile_joints(figure: Figure, pose_px: Array, look: SideLook) -> dict[str, Array]:
-    """Return places of the near side's joint centres before their usual error is taken off."""
+def profile_joints(figure: Figure, pose_px: Array, look: ProfileFindings) -> dict[str, Array]:
+    """Return positions of the near side's joint centres before their mean error is subtracted."""
     places = {}
     for joint, pair in JOINTS.items():
         place = pose_px[pair[look.profile.near]].copy()
@@ -103,8 +105,8 @@ def profile_joints(figure: Figure, pose_px: Array, look: SideLook) -> dict[str, 
     return places
 
 
-def _instep(figure: Figure, look: SideLook) -> Placed | None:
-    """Return the outline before the ankle; both feet are there, so only a near one is taken."""
+def _instep(figure: Figure, look: ProfileFindings) -> Placed | None:
+    """Return the contour before the ankle, if it is the near foot's."""
     profile, levels = look.profile, look.levels
     row = row_of(figure, levels.level["ankle_front"])
     entry = round(float(np.clip(profile.place(row), 0, len(profile.rows) - 1)))
@@ -115,8 +117,8 @@ def _instep(figure: Figure, look: SideLook) -> Placed | None:
     return None if point is None else (point, error + MASK_ERROR)
 
 
-def _border(figure: Figure, look: SideLook, name: str, *, in_front: bool) -> Placed | None:
-    """Return the outline at a feature's level with its expected error; None where arm or hair hides it."""
+def _contour_point(figure: Figure, look: ProfileFindings, name: str, *, in_front: bool) -> Placed | None:
+    """Return the contour at a feature's level with its expected error, None where arm or hair covers it."""
     profile = look.profile
     place = profile.place(row_of(figure, look.levels.level[name]))
     entry = round(float(np.clip(place, 0, len(profile.rows) - 1)))

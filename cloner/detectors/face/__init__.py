@@ -1,1 +1,1 @@
-"""Named points of the face: from the net in front, along the profile at the side."""
+"""Named points of the face: from the face net in front, along the profile at the side."""

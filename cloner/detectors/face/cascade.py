@@ -1,4 +1,4 @@
-"""Small features found by a cascade of linear regressions on gradient histograms.
+"""Cascaded linear regression on gradient histograms for small features.
 
 Face nets tell ears badly and fail at 90 degrees, and no outline shows what lies inside it. Each stage looks at the
 picture and the person's mask around the present guess and says where a feature's points lie; the next looks from there,
@@ -50,7 +50,7 @@ _GUESSES: Final = np.array([[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cascade:
-    """Stages that lead to the K points of one feature.
+    """The stages for the K points of one feature.
 
     Attributes
     ----------
@@ -85,8 +85,8 @@ class Cascade:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Pose:
-    """How a feature lies in a picture.
+class FeaturePose:
+    """Rotation and scale of a feature in a photo.
 
     Attributes
     ----------
@@ -103,14 +103,14 @@ class Pose:
     mirrored: bool
 
     def upright(self) -> Array:
-        """Return the (2, 2) turn, perhaps mirroring, from the picture to the upright look."""
+        """Return the (2, 2) rotation, perhaps with mirroring, from the photo to the upright view."""
         c, s = np.cos(self.tilt), np.sin(self.tilt)
         return np.array([[c, s], [-s, c]]) @ np.diag([-1.0 if self.mirrored else 1.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """Points (K, 2) px in the order of the cascade's, and their expected errors (K,), eye distances."""
+class FoundFeature:
+    """Points (K, 2) px in the cascade's order, and their sigmas (K,), eye distances."""
 
     points_px: Array
     error_iod: Array
@@ -134,13 +134,13 @@ def load_cascades() -> dict[str, Cascade]:
     }
 
 
-def sided(feature: str, side: str) -> tuple[str, ...]:
+def side_names(feature: str, side: str) -> tuple[str, ...]:
     """Return the names of a feature's points on the side "L" or "R"; those of the middle are the same on both."""
     return tuple(name if name in MIDDLE else f"{name}_{side}" for name in FEATURES[feature])
 
 
 def prepare(rgb: NDArray[np.uint8], mask: NDArray[np.uint8], scale: float) -> tuple[Picture, Picture]:
-    """Return grey picture and mask (h, w) at a scale of the photo's, at most its own.
+    """Return the grey photo and mask (h, w), downscaled.
 
     Parameters
     ----------
@@ -155,8 +155,10 @@ def prepare(rgb: NDArray[np.uint8], mask: NDArray[np.uint8], scale: float) -> tu
     return np.asarray(smooth, np.float32), np.asarray(cv2.GaussianBlur(person.astype(np.float32), (0, 0), 1.0))
 
 
-def look(pictures: tuple[Picture, Picture], middle_px: Array, pose: Pose, window_iod_px: float) -> Array:
-    """Return the description (D,) of the window around a place (2,) of grey picture and mask, seen upright.
+def describe_window(
+    pictures: tuple[Picture, Picture], middle_px: Array, pose: FeaturePose, window_iod_px: float
+) -> Array:
+    """Return the descriptor (D,) of the upright window around a point (2,) of grey photo and mask.
 
     ``middle_px`` and ``pose`` are in the photo's pixels of the pictures' own size.
     """
@@ -170,8 +172,10 @@ def look(pictures: tuple[Picture, Picture], middle_px: Array, pose: Pose, window
     return np.concatenate([describe(seen[0]), describe(np.asarray(MASK_WEIGHT * seen[1], np.float32))])
 
 
-def walk(cascade: Cascade, levels: dict[float, tuple[Picture, Picture, Array]], middle_px: Array, pose: Pose) -> Array:
-    """Return the (K, 2) points, photo px, that the stages reach from a guess of the feature's middle.
+def run_cascade(
+    cascade: Cascade, levels: dict[float, tuple[Picture, Picture, Array]], middle_px: Array, pose: FeaturePose
+) -> Array:
+    """Return the points (K, 2) px that the stages reach from a guess of the feature's middle.
 
     ``levels`` holds for each eye distance of the stages the photo and the mask at that size, and the factors (2,) of
     their sizes.
@@ -181,17 +185,17 @@ def walk(cascade: Cascade, levels: dict[float, tuple[Picture, Picture, Array]], 
     stages = zip(cascade.iods_px, cascade.means, cascade.weights, cascade.offsets, strict=True)
     for iod_px, mean, weights, offset in stages:
         grey, person, factor = levels[float(iod_px)]
-        there = Pose(pose.iod_px * float(factor[0]), pose.tilt, pose.mirrored)
-        seen = look((grey, person), (middle_px + 0.5) * factor - 0.5, there, float(iod_px))
+        there = FeaturePose(pose.iod_px * float(factor[0]), pose.tilt, pose.mirrored)
+        seen = describe_window((grey, person), (middle_px + 0.5) * factor - 0.5, there, float(iod_px))
         points = middle_px + (((seen - mean) @ weights + offset).reshape(-1, 2) + cascade.base) @ back.T
         middle_px = points[: len(cascade.names)].mean(axis=0)
     return np.asarray(points)
 
 
 def find_feature(
-    cascade: Cascade, rgb: NDArray[np.uint8], mask: NDArray[np.uint8], guess_px: Array, pose: Pose
-) -> Found:
-    """Return a feature near a guess: the median of what several guesses lead to.
+    cascade: Cascade, rgb: NDArray[np.uint8], mask: NDArray[np.uint8], guess_px: Array, pose: FeaturePose
+) -> FoundFeature:
+    """Return a feature near a guess: the median of the results from several guesses.
 
     Parameters
     ----------
@@ -211,8 +215,8 @@ def find_feature(
         pictures = prepare(rgb, mask, iod_px / pose.iod_px)
         levels[iod_px] = (*pictures, np.array(pictures[0].shape[::-1]) / np.array(rgb.shape[1::-1]))
     starts = guess_px - low + cascade.reach * pose.iod_px * _GUESSES
-    reached = np.stack([walk(cascade, levels, start, pose) for start in starts])
+    reached = np.stack([run_cascade(cascade, levels, start, pose) for start in starts])
     points = np.median(reached, axis=0)
     spread = float(np.median(np.linalg.norm(reached - points, axis=2))) / pose.iod_px
     # The last digits hang on where in memory the pictures lie: what follows would carry them into every byte.
-    return Found(np.round(points + low, 3), np.round(cascade.error[:, 0] + cascade.error[:, 1] * spread, 6))
+    return FoundFeature(np.round(points + low, 3), np.round(cascade.error[:, 0] + cascade.error[:, 1] * spread, 6))

@@ -1,4 +1,4 @@
-"""The net's points of a front face, pulled on to the lids' edges and the line between the lips."""
+"""Snakes that pull the face net's points on to lid margins and the line between the lips."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _FOLLOW_IOD: Final = _CALIBRATED.number("follow_iod", "iod")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PulledCurve:
-    """One curve before and after: (N, 2) px, and how much each edge is believed, (N,) 0..1."""
+    """A curve before and after: (N, 2) px, and the confidence of each edge, (N,) 0..1."""
 
     start_px: Array
     points_px: Array
@@ -46,7 +46,7 @@ class PulledCurve:
 
 
 def pull_curves(rgb: NDArray[np.uint8], face_px: Array, irises_px: Array, net: FaceNet) -> dict[str, PulledCurve]:
-    """Return the curves of a front face on the image's edges.
+    """Return the curves of a frontal face, pulled on to image edges.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def pull_curves(rgb: NDArray[np.uint8], face_px: Array, irises_px: Array, net: F
 
 
 def refine_face(rgb: NDArray[np.uint8], face_px: Array, irises_px: Array) -> Array:
-    """Return the net's points (468, 2) with those near lids and mouth brought along to the image's edges.
+    """Return the net's points (468, 2), those near lids and mouth moved along with the pulled curves.
 
     Small faces and faces without irises come back as they are.
 

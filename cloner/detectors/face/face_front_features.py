@@ -1,4 +1,4 @@
-"""What a front photo shows at its full resolution of nose and chin, which the face net, at 192 px, tells badly."""
+"""Nose and chin in a front photo at full resolution, where the face net (192 px) is imprecise."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.detectors.face.cascade import Found, Pose, find_feature, load_cascades, sided
+from cloner.detectors.face.cascade import FeaturePose, FoundFeature, find_feature, load_cascades, side_names
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
@@ -16,17 +16,19 @@ from cloner.records.points import Proposal
 HALVES: Final = ("front_nose", "front_chin")
 
 
-def front_pose(pupils_px: Array, side: str) -> Pose:
-    """Return how one half, "L" or "R", of a face lies in its photo; ``pupils_px`` (2, 2) are the left and the right."""
+def front_pose(pupils_px: Array, side: str) -> FeaturePose:
+    """Return the pose of one half of a face, "L" or "R", in its photo; ``pupils_px`` (2, 2) are the
+    left and the right.
+    """
     across = pupils_px[0] - pupils_px[1]
     tilt = float(np.arctan2(across[1], across[0]))
-    return Pose(float(np.linalg.norm(across)), -tilt if side == "R" else tilt, side == "R")
+    return FeaturePose(float(np.linalg.norm(across)), -tilt if side == "R" else tilt, side == "R")
 
 
 def find_half(
     photo: Photo, proposal: Proposal, names: Sequence[str], points_px: Array, feature: str, side: str
-) -> tuple[Found, Pose]:
-    """Return a feature of one half of the face near where named points lie, and how it lies there.
+) -> tuple[FoundFeature, FeaturePose]:
+    """Return a feature of one half of the face near its named points, and its pose.
 
     Parameters
     ----------
@@ -42,21 +44,21 @@ def find_half(
     """
     at = {name: place for name, place in zip(names, points_px, strict=True)}
     pose = front_pose(np.array([at["pupil_L"], at["pupil_R"]]), side)
-    guess = np.mean([at[name] for name in sided(feature, side)], axis=0)
+    guess = np.mean([at[name] for name in side_names(feature, side)], axis=0)
     return find_feature(load_cascades()[feature], photo.rgb, proposal.mask, guess, pose), pose
 
 
 def find_halves(
     photo: Photo, proposal: Proposal, names: Sequence[str], points_px: Array, feature: str
-) -> tuple[list[str], Found]:
-    """Return names and places of a feature on both halves of the face; what lies in the middle is where both agree.
+) -> tuple[list[str], FoundFeature]:
+    """Return names and positions of a feature on both halves of the face; midline points are where both agree.
 
     Parameters are those of ``find_half``.
     """
     told: dict[str, list[tuple[Array, float]]] = {}
     for side in "LR":
         found, _ = find_half(photo, proposal, names, points_px, feature, side)
-        for name, place, error in zip(sided(feature, side), found.points_px, found.error_iod, strict=False):
+        for name, place, error in zip(side_names(feature, side), found.points_px, found.error_iod, strict=False):
             told.setdefault(name, []).append((place, float(error)))
     places = np.array([np.mean([place for place, _ in both], axis=0) for both in told.values()])
-    return list(told), Found(places, np.array([np.mean([error for _, error in both]) for both in told.values()]))
+    return list(told), FoundFeature(places, np.array([np.mean([error for _, error in both]) for both in told.values()]))

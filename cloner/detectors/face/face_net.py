@@ -1,4 +1,4 @@
-"""What the calibration knows about the face net's points, as read from ``face_net.npz``."""
+"""Calibration of the face net's points, read from ``face_net.npz``."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CURVES: Final = ("lid_upper_L", "lid_upper_R", "lid_lower_L", "lid_lower_R", "mo
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FaceNet:
-    """Places of the net's points on the generic head, and rules for named points.
+    """Positions of the net's points on the generic head, and rules for named points.
 
     Attributes
     ----------

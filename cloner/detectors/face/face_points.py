@@ -1,4 +1,4 @@
-"""Named feature points of the face: by calibrated rules from the net in front, by the profile at the side."""
+"""Named points of the face: by calibrated rules from the net in front, by the profile at the side."""
 
 from __future__ import annotations
 
@@ -8,11 +8,18 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face.cascade import FEATURES, Found, find_feature, load_cascades
+from cloner.detectors.face.cascade import FEATURES, FoundFeature, find_feature, load_cascades
 from cloner.detectors.face.face_front_features import HALVES, find_halves, front_pose
 from cloner.detectors.face.face_net import FaceNet, load_face_net
-from cloner.detectors.face.face_side import WRONG_ERROR, doubt_of, side_face_of
-from cloner.detectors.face.face_side_features import EAR, EAR_PATCH, INNER, LOST_EAR, covered, find_inside
+from cloner.detectors.face.face_side import WRONG_ERROR, missing_edge_share, side_face_of
+from cloner.detectors.face.face_side_features import (
+    EAR,
+    EAR_PATCH,
+    INNER,
+    LOST_EAR,
+    find_inner_feature,
+    is_covered_by_hair,
+)
 from cloner.detectors.face.hairline import trace_hairline
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -41,7 +48,7 @@ FRONT_KEYS, SIDE_KEYS = 2, 3
 
 
 def propose_face_points(photo: Photo, proposal: Proposal) -> ViewPoints:
-    """Return the named face points of a front or side photo, with a confidence each.
+    """Return the named face points of a front or side photo, each with a confidence.
 
     Parameters
     ----------
@@ -59,13 +66,13 @@ def propose_face_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     return _front_points(photo, proposal)
 
 
-def _none(view: ViewId) -> ViewPoints:
+def _no_points(view: ViewId) -> ViewPoints:
     return ViewPoints(view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, dtype=bool))
 
 
 def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     if proposal.face_presence < 0.5:
-        return _none(photo.view)
+        return _no_points(photo.view)
     net = load_face_net()
     points, error = net.rules @ proposal.face_px, net.rule_error.copy()
     rows = [net.names.index(f"pupil_{side}") for side in "LR"]
@@ -90,14 +97,14 @@ def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
 
 
 def _hairline_top(net: FaceNet, points: Array, proposal: Proposal, iod_px: float) -> Array | None:
-    """Return where hair begins straight above the glabella, or None on a bald or covered forehead."""
+    """Return where hair begins above the glabella, None on a bald or covered forehead."""
     glabella, chin = (points[net.names.index(name)] for name in ("glabella", "chin_bottom"))
     up = (glabella - chin) / max(float(np.linalg.norm(glabella - chin)), 1e-6)
     return trace_hairline(proposal.labels, glabella, up, iod_px).top()
 
 
 def _pupils(net: FaceNet, points: Array, irises_px: Array) -> Array:
-    """Return the pupils (2, 2) px, left first, from the irises' centres: the net's lie a little beside."""
+    """Return the pupils (2, 2) px, left first, from the irises' centres, corrected for their mean offset."""
     across = points[net.names.index("eye_outer_L")] - points[net.names.index("eye_outer_R")]
     unit = across / max(float(np.linalg.norm(across)), 1e-6) * float(np.linalg.norm(irises_px[0] - irises_px[1]))
     down = np.array([-unit[1], unit[0]])
@@ -109,26 +116,28 @@ def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     model = load_face_net().profile
     found = side_face_of(proposal)
     if found is None:
-        return _none(photo.view)
-    doubt = WRONG_ERROR * doubt_of(photo.rgb, model, found.laid)
+        return _no_points(photo.view)
+    doubt = WRONG_ERROR * missing_edge_share(photo.rgb, model, found.laid)
     kept = [row for row, name in enumerate(found.names) if name in PROFILE]
     names = [found.names[row] for row in kept]
-    told = dict(zip(names, zip(found.points_px[kept], found.error_iod[kept] * _own(names), strict=True), strict=True))
+    told = dict(
+        zip(names, zip(found.points_px[kept], found.error_iod[kept] * _error_factors(names), strict=True), strict=True)
+    )
     for feature in (*INNER, EAR) if photo.view.is_face else ():
-        inside, seen = find_inside(photo, proposal, found, feature)
+        inside, seen = find_inner_feature(photo, proposal, found, feature)
         told |= zip(inside, zip(seen.points_px, seen.error_iod, strict=True), strict=True)
     points = np.array([place for place, _ in told.values()])
     error = np.array([error for _, error in told.values()]) + doubt
     return ViewPoints(photo.view, tuple(told), points, face_confidence(error), np.zeros(len(told), dtype=bool))
 
 
-def _own(names: Sequence[str]) -> Array:
-    """Return how much larger each point's error is than what is told of all together."""
+def _error_factors(names: Sequence[str]) -> Array:
+    """Return the factor of each point's error over the error of all of them."""
     return np.array([OWN_ERROR.get(name, 1.0) for name in names])
 
 
-def _front_ear(photo: Photo, proposal: Proposal, guess_px: Array, pupils_px: Array, side: str) -> Found:
-    """Return an ear near a guess, with a large expected error where hair hides it or it lies far off.
+def _front_ear(photo: Photo, proposal: Proposal, guess_px: Array, pupils_px: Array, side: str) -> FoundFeature:
+    """Return an ear near a guess, with a large sigma where hair covers it or it lies far off.
 
     ``pupils_px`` (2, 2) are the left and the right one.
     """
@@ -136,12 +145,12 @@ def _front_ear(photo: Photo, proposal: Proposal, guess_px: Array, pupils_px: Arr
     ear = find_feature(load_cascades()["front_ear"], photo.rgb, proposal.mask, guess_px, pose)
     middle = ear.points_px.mean(axis=0)
     far = float(np.linalg.norm(middle - guess_px)) > FAR_EAR * pose.iod_px
-    lost = far or covered(proposal.labels, middle, EAR_PATCH * pose.iod_px)
-    return Found(ear.points_px, np.maximum(ear.error_iod, LOST_EAR if lost else 0.0))
+    lost = far or is_covered_by_hair(proposal.labels, middle, EAR_PATCH * pose.iod_px)
+    return FoundFeature(ear.points_px, np.maximum(ear.error_iod, LOST_EAR if lost else 0.0))
 
 
 def complete_face(view: ViewId, keys: Mapping[str, Array]) -> ViewPoints:
-    """Return all named points of a face that nobody found, from the few that an operator placed.
+    """Return all named points of a face that was not found, from the few that an operator placed.
 
     Parameters
     ----------
@@ -159,20 +168,20 @@ def complete_face(view: ViewId, keys: Mapping[str, Array]) -> ViewPoints:
     names = PROFILE if view is ViewId.FACE_SIDE else net.names
     known = [name for name in keys if name in names]
     if len(known) < (SIDE_KEYS if view is ViewId.FACE_SIDE else FRONT_KEYS):
-        return _none(view)
+        return _no_points(view)
     rest = generic.vertices_m[[generic.feature(name) for name in names]].astype(np.float64)
     rows, goals = np.array([names.index(name) for name in known]), np.array([keys[name] for name in known])
     if view is ViewId.FACE_SIDE:
         flats = [rest[:, [2, 1]] * [facing, -1.0] for facing in (1.0, -1.0)]
     else:
         flats = [rest[:, :2] * [1.0, -1.0]]
-    flat = min(flats, key=lambda tried: _turn(tried[rows], goals))
+    flat = min(flats, key=lambda tried: _rotation_and_mirroring(tried[rows], goals))
     points = complete_points(flat, rows, goals)
     confidence = face_confidence(np.full(len(names), COMPLETED_ERROR))
     return ViewPoints(view, names, points, confidence, np.zeros(len(names), dtype=bool))
 
 
-def _turn(flat: Array, goals: Array) -> float:
-    """Return how far from upright and unmirrored a map is that lays points on others: 0 for a pure scale."""
+def _rotation_and_mirroring(flat: Array, goals: Array) -> float:
+    """Return how far a similarity between two point sets is from an upright, unmirrored one: 0 for a pure scale."""
     linear = fit_affine(flat, goals)[:2]
     return float(np.linalg.norm(linear / max(float(np.linalg.norm(linear)), 1e-12) - np.eye(2) / np.sqrt(2.0)))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.profile import front_contour, outline
-from cloner.detectors.face.profile_fit import Laid, lay_all, named_px
+from cloner.detectors.face.profile_fit import FittedProfile, fit_from_all_starts, named_px
 from cloner.detectors.face.profile_judge import FACE_SHARE, features, load_judge
 from cloner.detectors.face.profile_search import ProfileModel
 from cloner.detectors.nets.results import POSE_NAMES
@@ -49,8 +49,8 @@ WRONG_ERROR: Final = _CALIBRATED.number("wrong_error", "iod")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Hints:
-    """Which way a head looks in the picture (+1 right, -1 left), and rough places of a pose net, (2,) px each."""
+class PoseHints:
+    """Direction of a head in the photo (+1 right, -1 left), and rough positions of the pose net, (2,) px each."""
 
     facing: int
     nose_px: Array
@@ -78,14 +78,14 @@ class SideFace:
 
     facing: int
     outline_px: Array
-    laid: Laid
+    laid: FittedProfile
     names: tuple[str, ...]
     points_px: Array
     error_iod: Array
 
 
-def pose_hints(proposal: Proposal) -> Hints | None:
-    """Return which way the head looks and rough places of the face, as far as the pose tells."""
+def pose_hints(proposal: Proposal) -> PoseHints | None:
+    """Return the head's direction and rough positions of the face, as far as the pose tells."""
     row = {name: index for index, name in enumerate(POSE_NAMES)}
     ears, eyes = [row["ear_l"], row["ear_r"]], [row["eye_l"], row["eye_r"]]
     mouth, nose = [row["mouth_l"], row["mouth_r"]], row["nose"]
@@ -93,13 +93,13 @@ def pose_hints(proposal: Proposal) -> Hints | None:
         return None
     points = proposal.pose_px
     ahead = float(points[nose, 0] - points[ears, 0].mean())
-    hints = Hints(1 if ahead > 0 else -1, points[nose], points[eyes].mean(axis=0), points[mouth].mean(axis=0))
+    hints = PoseHints(1 if ahead > 0 else -1, points[nose], points[eyes].mean(axis=0), points[mouth].mean(axis=0))
     return hints if np.linalg.norm(hints.mouth_px - hints.eye_px) >= 3.0 else None
 
 
 @once_each
 def side_face_of(proposal: Proposal) -> SideFace | None:
-    """Return the profile of a side photo with the shipped model: its mask is freed by it, its points are told by it."""
+    """Return the profile of a side photo with the shipped model."""
     return find_side_face(proposal, load_face_net().profile)
 
 
@@ -113,12 +113,12 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
         return None
     hints = pose_hints(proposal)
 
-    def rate(found: list[tuple[int, Laid]]) -> list[tuple[tuple[float, float], int, Laid]]:
-        return [(doubt_against(proposal, model, hints, facing, laid), facing, laid) for facing, laid in found]
+    def rate(found: list[tuple[int, FittedProfile]]) -> list[tuple[tuple[float, float], int, FittedProfile]]:
+        return [(log_odds_against(proposal, model, hints, facing, laid), facing, laid) for facing, laid in found]
 
-    rated = rate(lay_near(proposal.mask, full, model, hints))
+    rated = rate(align_near_hints(proposal.mask, full, model, hints))
     if not rated or min(doubt for doubt, *_ in rated)[0] > _DOUBTED:
-        rated += rate(lay_anywhere(proposal.mask, full, model))
+        rated += rate(align_anywhere(proposal.mask, full, model))
     if not rated:
         return None
     (odds, lost_iod), facing, laid = min(rated, key=lambda one: one[0])
@@ -132,26 +132,26 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
 
 
 def whole_outline(mask: NDArray[np.uint8]) -> Array | None:
-    """Return (N, 4) the outline of a person's probability (H, W) and its outward normals, px; None for a speck."""
+    """Return the outline of a person's probability (H, W) with outward normals, (N, 4) px; None for a speck."""
     ring = outline(mask)
     return np.hstack([ring, contour_normals(ring)]) if len(ring) >= 50 else None
 
 
-def told_by(hints: Hints | None) -> tuple[int, Array] | None:
-    """Return what hints tell the judge of profiles: which way the head looks, and nose, eye and mouth (3, 2), px."""
+def judge_hints(hints: PoseHints | None) -> tuple[int, Array] | None:
+    """Return the hints as the profile judge takes them: the head's direction, and nose, eye and mouth (3, 2), px."""
     return None if hints is None else (hints.facing, np.array([hints.nose_px, hints.eye_px, hints.mouth_px]))
 
 
-def doubt_against(
-    proposal: Proposal, model: ProfileModel, hints: Hints | None, facing: int, laid: Laid
+def log_odds_against(
+    proposal: Proposal, model: ProfileModel, hints: PoseHints | None, facing: int, laid: FittedProfile
 ) -> tuple[float, float]:
-    """Return the log odds that a laid profile is not the face's, and its points' error then, in eye distances.
+    """Return the log odds that a fitted profile is wrong, and its points' sigma in that case, eye distances.
 
     Without labels the outline alone tells.
     """
     if not proposal.labels.any():
         return (laid.cost - WRONG) / _WRONG_TURN, WRONG_ERROR
-    seen = features(model, laid, facing, proposal.labels, told_by(hints))
+    seen = features(model, laid, facing, proposal.labels, judge_hints(hints))
     if seen[FACE_SHARE] < _HIDDEN_SHARE:
         return _HIDDEN_ODDS, WRONG_ERROR
     error_mm = load_judge().error_mm(seen)
@@ -159,8 +159,8 @@ def doubt_against(
     return float(np.log(error_mm / _WRONG_MM)) / _WRONG_RATIO, lost_iod
 
 
-def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
-    """Return 0..1 how little the photo shows an edge along a laid profile: a mask may follow a shadow on the wall.
+def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, laid: FittedProfile) -> float:
+    """Return the share 0..1 of a fitted profile without an image edge: a mask may follow a shadow on the wall.
 
     Parameters
     ----------
@@ -178,8 +178,10 @@ def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
     return float(np.clip((_EDGE_SHARE - share) / (0.7 * _EDGE_SHARE), 0.0, 1.0))
 
 
-def lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: Hints | None) -> list[tuple[int, Laid]]:
-    """Return profiles laid on the outline (N, 4) near a hinted nose, and which way they look; none without hints."""
+def align_near_hints(
+    mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: PoseHints | None
+) -> list[tuple[int, FittedProfile]]:
+    """Return profiles fitted to the outline (N, 4) near a hinted nose, and their directions; none without hints."""
     if hints is None:
         return []
     top = float(full[:, 1].min())
@@ -194,12 +196,12 @@ def lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: H
     near = front[np.abs(front[:, 1] - hints.nose_px[1]) < _NOSE_REACH_M * size]
     lean = float(np.arctan2(hints.facing * down[0], down[1])) - _LEAN
     step = max(1, int(_STEP_M * size))
-    found = lay_all(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
+    found = fit_from_all_starts(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
     return [(hints.facing, laid) for laid in found]
 
 
-def lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel) -> list[tuple[int, Laid]]:
-    """Return profiles laid along both fronts of an outline (N, 4), by stretches of heights, and which way they look.
+def align_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel) -> list[tuple[int, FittedProfile]]:
+    """Return profiles fitted along both fronts of an outline (N, 4), by ranges of heights, and their directions.
 
     How far a nose lies below the head's top tells the head's size, so each stretch has a size of its own.
     """
@@ -210,6 +212,6 @@ def lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel) -> l
         noses = front[(front[:, 1] > top + low * height) & (front[:, 1] <= top + high * height), :2]
         size = 0.5 * (low + high) * height / _TOP_OVER_NOSE_M
         step = max(1, round(2.0 * _STEP_M * size))
-        found = lay_all(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
+        found = fit_from_all_starts(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
         out += [(facing, laid) for laid in found]
     return out

@@ -1,4 +1,4 @@
-"""What a side photo shows beside its outline: ear, outer eye, wing and bridge of the nose, corner of the mouth."""
+"""Features inside a side photo's outline: ear, outer eye, wing and bridge of the nose, corner of the mouth."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face.cascade import Found, Pose, find_feature, load_cascades, sided
+from cloner.detectors.face.cascade import FeaturePose, FoundFeature, find_feature, load_cascades, side_names
 from cloner.detectors.face.face_side import IOD_M, SideFace
 from cloner.records.arrays import Array
 from cloner.records.labels import Label
@@ -27,16 +27,18 @@ FAR: Final = _CALIBRATED.table("far", "iod")
 EAR_PATCH: Final = _CALIBRATED.number("ear_patch", "iod")
 
 
-def side_pose(found: SideFace) -> Pose:
-    """Return how the head of a laid profile lies in its photo."""
+def side_pose(found: SideFace) -> FeaturePose:
+    """Return the pose of the head of a fitted profile in its photo."""
     mirrored = found.facing > 0
     linear = -IOD_M * found.laid.px_from_m[:, :2]
     across = -linear[0, 0] if mirrored else linear[0, 0]
-    return Pose(IOD_M * found.laid.size, float(np.arctan2(linear[1, 0], across)), mirrored)
+    return FeaturePose(IOD_M * found.laid.size, float(np.arctan2(linear[1, 0], across)), mirrored)
 
 
-def find_inside(photo: Photo, proposal: Proposal, found: SideFace, feature: str) -> tuple[list[str], Found]:
-    """Return names and places of a feature's points near where the laid profile expects them.
+def find_inner_feature(
+    photo: Photo, proposal: Proposal, found: SideFace, feature: str
+) -> tuple[list[str], FoundFeature]:
+    """Return names and positions of a feature's points near where the fitted profile expects them.
 
     Parameters
     ----------
@@ -48,20 +50,20 @@ def find_inside(photo: Photo, proposal: Proposal, found: SideFace, feature: str)
         One of ``INNER`` or ``EAR``.
     """
     side = "R" if found.facing > 0 else "L"
-    names = list(sided(feature, side))
+    names = list(side_names(feature, side))
     guess = found.points_px[[found.names.index(name) for name in names]].mean(axis=0)
     pose = side_pose(found)
     seen = find_feature(load_cascades()[feature], photo.rgb, proposal.mask, guess, pose)
     named = slice(0, len(names))
     middle = seen.points_px[named].mean(axis=0)
     lost = float(np.linalg.norm(middle - guess)) > FAR[feature] * pose.iod_px
-    lost |= feature == EAR and covered(proposal.labels, middle, EAR_PATCH * pose.iod_px)
+    lost |= feature == EAR and is_covered_by_hair(proposal.labels, middle, EAR_PATCH * pose.iod_px)
     least = max(float(found.error_iod.min()), LOST_EAR if lost else 0.0)
-    return names, Found(seen.points_px[named], np.maximum(seen.error_iod[named], least))
+    return names, FoundFeature(seen.points_px[named], np.maximum(seen.error_iod[named], least))
 
 
-def covered(labels: NDArray[np.uint8], middle_px: Array, reach_px: float) -> bool:
-    """Return whether hair covers most of a square around a place, or the place lies outside the photo.
+def is_covered_by_hair(labels: NDArray[np.uint8], middle_px: Array, reach_px: float) -> bool:
+    """Return whether hair covers most of a square around a point, or the point lies outside the photo.
 
     Parameters
     ----------

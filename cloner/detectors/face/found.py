@@ -1,4 +1,4 @@
-"""The face of a photo that shows it from the front, also one that hair hides."""
+"""The face of a frontal photo, also one that hair covers."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ BETWEEN_EARS: Final = _CALIBRATED.pair("between_ears", "share")
 Face = tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64]]
 
 
-def face_in(photo: Photo) -> Face:
-    """Return (468, 2) points, (468,) depths, all pixels, presence and (2, 2) irises of a face; zeros without one."""
+def frontal_face(photo: Photo) -> Face:
+    """Return points (468, 2), depths (468,) (all px), presence, and irises (2, 2) of a face; zeros without one."""
     if photo.view.is_front:
         face: FaceResult | None = DETECTORS.get("face")(photo.rgb)
         if face is not None and face.presence >= LEAST_PRESENCE:
-            return _looked_at(photo, face, float(face.presence))
+            return _with_refined_points(photo, face, float(face.presence))
     return np.zeros((468, 2)), np.zeros(468), 0.0, np.zeros((2, 2))
 
 
-def face_behind_hair(photo: Photo, pose_px: Array, labels: NDArray[np.uint8]) -> Face | None:
-    """Return the face of a portrait from the front in which hair hides so much that the mesh net sees none.
+def frontal_face_behind_hair(photo: Photo, pose_px: Array, labels: NDArray[np.uint8]) -> Face | None:
+    """Return the face of a frontal portrait in which hair covers so much that the mesh net sees none.
 
     Backs of heads have no skin where the net lays its mesh, profiles have the nose outside the ears. The mesh is a
     guess from what is seen, so its presence is the least that still counts.
@@ -57,17 +57,17 @@ def face_behind_hair(photo: Photo, pose_px: Array, labels: NDArray[np.uint8]) ->
     face: FaceResult | None = DETECTORS.get("guessed_face")(photo.rgb)
     if face is None or skin_share(face.points_px, labels) < LEAST_FACE:
         return None
-    return _looked_at(photo, face, LEAST_PRESENCE)
+    return _with_refined_points(photo, face, LEAST_PRESENCE)
 
 
 def skin_share(face_px: Array, labels: NDArray[np.uint8]) -> float:
-    """Return how much of what a face mesh covers is labelled face."""
+    """Return the share of a face mesh's area that is labelled face."""
     inside = np.zeros(labels.shape, np.uint8)
     cv2.fillConvexPoly(inside, cv2.convexHull(np.rint(face_px).astype(np.int32)), 1)
     covered = labels[inside > 0]
     return float(shows(covered, *FACE).mean()) if covered.size else 0.0
 
 
-def _looked_at(photo: Photo, face: FaceResult, presence: float) -> Face:
+def _with_refined_points(photo: Photo, face: FaceResult, presence: float) -> Face:
     points = DETECTORS.get("refined_face")(photo.rgb, face.points_px, face.irises_px)
     return points, np.asarray(face.depth_px, dtype=np.float64), presence, face.irises_px

@@ -1,4 +1,4 @@
-"""The line where the face ends and the hair begins, by the labels of skin and hair.
+"""The hairline, from the labels of skin and hair.
 
 The structured snake is not set on it: strands and locks are edges too, and it moved 93 of 100 painted hairlines away
 from the truth (median 6.6 -> 7.8 % of the eye distance).
@@ -43,13 +43,13 @@ class Hairline:
     points_px: Array
 
     def top(self) -> Array | None:
-        """Return the point straight up, or None where no hair begins there."""
+        """Return the point straight up, None where no hair begins there."""
         near = np.abs(self.angles_deg) < 12.0
         return None if not near.any() else np.asarray(np.median(self.points_px[near], axis=0))
 
 
 def trace_hairline(labels: NDArray[np.uint8], middle_px: Array, up: Array, iod_px: float) -> Hairline:
-    """Return the first hair on rays from a face's middle.
+    """Return the first hair pixel on rays from a face's middle.
 
     Parameters
     ----------
@@ -75,12 +75,12 @@ def trace_hairline(labels: NDArray[np.uint8], middle_px: Array, up: Array, iod_p
     starts = (run[:, : hair.shape[1]] >= 0.8 * count) & hair
     found = starts.any(axis=1)
     first = away[starts.argmax(axis=1)]
-    kept = found & _steady(first, found, _JUMP_IOD * iod_px)
+    kept = found & _agrees_with_neighbours(first, found, _JUMP_IOD * iod_px)
     points = middle_px + first[:, None] * ways
     return Hairline(ANGLES_DEG[kept], points[kept])
 
 
-def _steady(first: Array, found: NDArray[np.bool_], jump: float) -> NDArray[np.bool_]:
+def _agrees_with_neighbours(first: Array, found: NDArray[np.bool_], jump: float) -> NDArray[np.bool_]:
     """Return which rays end near the median of their neighbours."""
     out = np.zeros(len(first), dtype=bool)
     for k in np.flatnonzero(found):

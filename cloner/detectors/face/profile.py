@@ -1,4 +1,4 @@
-"""The outline in front of a side face, and a known profile laid on it."""
+"""The front contour of a side face, and the alignment of a known profile with it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ KNOWN_TIP_M = _CALIBRATED.number("known_tip_m", "m")
 
 
 def outline(mask: NDArray[np.uint8]) -> Array:
-    """Return the longest closed outline of a person's probability (0..255), (N, 2) px with parts of a pixel."""
+    """Return the longest closed contour of a person's probability (0..255), (N, 2) subpixel px."""
     padded = np.pad(mask.astype(np.float32), 1)
     contours = find_contours(padded, 127.5)
     if not contours:
@@ -33,7 +33,7 @@ def outline(mask: NDArray[np.uint8]) -> Array:
 
 
 def front_contour(contour: Array, facing: int, bottom_px: float) -> Array:
-    """Return the outline points with nothing of the person in front of them by more than a deep eye socket."""
+    """Return the contour points with nothing of the person in front of them by more than a deep eye socket."""
     rows = np.round(contour[:, 1]).astype(int)
     ahead = facing * contour[:, 0]
     front = np.full(rows.max() + 1, -np.inf)
@@ -50,21 +50,21 @@ def _similarity(facing: int, size: float, tilt: float, nose_px: Array) -> Array:
     return np.column_stack([forward, up, nose_px])
 
 
-def _score(distance: Array) -> Array:
+def _trimmed_mean(distance: Array) -> Array:
     """Return the mean of the best four fifths along the last axis."""
     keep = int(0.8 * distance.shape[-1])
     return np.asarray(np.partition(distance, keep, axis=-1)[..., :keep].mean(axis=-1))
 
 
-def _refine(px_from_m: Array, tree: cKDTree, contour: Array, profile: Array, facing: int) -> tuple[Array, float]:
-    """Return the map after laying the profile on its nearest contour points a few times (trimmed ICP)."""
+def _trimmed_icp(px_from_m: Array, tree: cKDTree, contour: Array, profile: Array, facing: int) -> tuple[Array, float]:
+    """Return the similarity after some iterations of trimmed ICP."""
     flat = profile * [facing, -1.0]
     error = np.inf
     for _ in range(3):
         here = profile @ px_from_m[:, :2].T + px_from_m[:, 2]
         distance, index = tree.query(here)
         size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
-        error = float(_score(distance)) / size
+        error = float(_trimmed_mean(distance)) / size
         keep = distance <= max(np.quantile(distance, 0.85), 1e-9)
         source, target = flat[keep] @ [1, 1j], contour[index[keep]] @ [1, 1j]
         centred, aim = source - source.mean(), target - target.mean()
@@ -75,8 +75,8 @@ def _refine(px_from_m: Array, tree: cKDTree, contour: Array, profile: Array, fac
     return px_from_m, error
 
 
-def lay_profile(contour: Array, profile_m: Array, nose_px: Array, *, size: float, facing: int) -> tuple[Array, float]:
-    """Return the (2, 3) map (forward, up, 1) -> px that lays a known profile on a contour, and its error in metres.
+def align_profile(contour: Array, profile_m: Array, nose_px: Array, *, size: float, facing: int) -> tuple[Array, float]:
+    """Return the (2, 3) map (forward, up, 1) -> px that aligns a known profile with a contour, and its error in metres.
 
     Parameters
     ----------
@@ -97,8 +97,8 @@ def lay_profile(contour: Array, profile_m: Array, nose_px: Array, *, size: float
         sizes = size * KNOWN_SIZES
         tried = noses[:, None, None] + sizes[None, :, None, None] * flat
         distance, _ = tree.query(tried.reshape(-1, 2))
-        error = _score(distance.reshape(len(noses), len(sizes), len(flat))) / sizes
+        error = _trimmed_mean(distance.reshape(len(noses), len(sizes), len(flat))) / sizes
         nose, which = np.unravel_index(int(np.argmin(error)), error.shape)
         if error[nose, which] < best:
             best, found = float(error[nose, which]), _similarity(facing, float(sizes[which]), float(tilt), noses[nose])
-    return _refine(found, tree, contour, profile_m, facing)
+    return _trimmed_icp(found, tree, contour, profile_m, facing)

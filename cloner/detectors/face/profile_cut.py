@@ -1,4 +1,4 @@
-"""A side face's mask freed from the wall before it: colours alone let a wall of skin's colour join nose and lips.
+"""Removal of wall from the mask before a side face: a wall of skin's colour can join nose and lips.
 
 Where the mask stands out before the profile that was laid on it, and what stands out has the colours of the wall
 around rather than of the face behind, it is cut away. Hair, beards and glasses have other colours than the wall.
@@ -17,8 +17,8 @@ from scipy.spatial import cKDTree
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.face_side import WRONG, side_face_of
-from cloner.detectors.face.profile_fit import Laid
-from cloner.detectors.face.profile_search import ProfileModel, normals_of
+from cloner.detectors.face.profile_fit import FittedProfile
+from cloner.detectors.face.profile_search import ProfileModel, curve_normals
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
 
@@ -40,8 +40,8 @@ _SAMPLES: Final = 1500
 _LEAST_PX: Final = 20
 
 
-def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
-    """Return the proposal of a face's side photo without wall in its mask before the face.
+def without_wall_before_face(photo: Photo, proposal: Proposal) -> Proposal:
+    """Return the proposal of a side photo of the face without wall in its mask before the face.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
     found = side_face_of(proposal)
     if found is None or found.laid.cost > WRONG:  # it may lie anywhere
         return proposal
-    wall = wall_before(photo.rgb, proposal.mask, model, found.laid)
+    wall = wall_before_profile(photo.rgb, proposal.mask, model, found.laid)
     if not wall.any():
         return proposal
     return replace(
@@ -63,8 +63,8 @@ def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
     )
 
 
-def wall_before(rgb: Picture, mask: Picture, model: ProfileModel, laid: Laid) -> Bools:
-    """Return (H, W) which pixels of a person's mask are wall before a laid profile.
+def wall_before_profile(rgb: Picture, mask: Picture, model: ProfileModel, laid: FittedProfile) -> Bools:
+    """Return the pixels (H, W) of a person's mask that are wall before a fitted profile.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def wall_before(rgb: Picture, mask: Picture, model: ProfileModel, laid: Laid) ->
         The profile and how it lies on the mask.
     """
     person = mask > 127
-    doubted, face = _doubted(person, model, laid)
+    doubted, face = _suspect_pixels(person, model, laid)
     wall = np.zeros(mask.shape, bool)
     if not doubted.any():
         return wall
@@ -91,7 +91,7 @@ def wall_before(rgb: Picture, mask: Picture, model: ProfileModel, laid: Laid) ->
 
 
 def _wall_in(lab: NDArray[np.float32], own: Bools, person: Bools, deep: Bools, reach: int) -> Bools:
-    """Return (h, w) the wall that a doubted piece (h, w) is part of; nothing where it is no wall.
+    """Return the wall (h, w) that a suspect piece (h, w) belongs to; nothing where it is no wall.
 
     The profile lies within a millimetre or two only, so wall also goes from beside it, up to ``deep`` in the face.
     """
@@ -112,18 +112,18 @@ def _square(reach: int) -> Picture:
     return np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
 
 
-def _doubted(person: Bools, model: ProfileModel, laid: Laid) -> tuple[Bools, Bools]:
-    """Return (H, W) pixels of the person in stretches that stand far out before the profile, and those behind it."""
+def _suspect_pixels(person: Bools, model: ProfileModel, laid: FittedProfile) -> tuple[Bools, Bools]:
+    """Return the pixels (H, W) of the person in runs that stand far out before the profile, and those behind it."""
     shape = model.shape(laid.weights)[: model.samples]
     linear = laid.px_from_m[:, :2]
     curve = laid.curve_px(model)
-    outwards = normals_of(shape) @ linear.T / laid.size
+    outwards = curve_normals(shape) @ linear.T / laid.size
     steps = np.arange(0.0, _LOOKED_M, _STEP_M)
     places = np.rint(curve[:, None] + laid.size * steps[None, :, None] * outwards[:, None]).astype(np.intp)
     limit = np.array(person.shape[::-1]) - 1
     column, row = np.moveaxis(np.clip(places, 0, limit), 2, 0)
     ahead = _STEP_M * np.cumprod(person[row, column], axis=1).sum(axis=1)
-    stretches = _stretches(ahead > _ENDS_M, ahead > _DOUBTED_M)
+    stretches = _hysteresis_runs(ahead > _ENDS_M, ahead > _DOUBTED_M)
     before = np.zeros(person.shape, np.uint8)
     outer = curve + laid.size * np.minimum(ahead + _ENDS_M, _LOOKED_M)[:, None] * outwards
     for one in np.flatnonzero(stretches[:-1] & stretches[1:]):
@@ -136,7 +136,7 @@ def _doubted(person: Bools, model: ProfileModel, laid: Laid) -> tuple[Bools, Boo
     return (before > 0) & person & (face == 0), face > 0
 
 
-def _stretches(weak: Bools, strong: Bools) -> Bools:
-    """Return (M,) the runs of weak samples that hold a strong one."""
+def _hysteresis_runs(weak: Bools, strong: Bools) -> Bools:
+    """Return the runs (M,) of weak samples that contain a strong one."""
     _, run = cv2.connectedComponents(weak.astype(np.uint8)[None], connectivity=4)
     return np.asarray(weak & np.isin(run[0], run[0][strong & weak]))

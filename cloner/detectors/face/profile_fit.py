@@ -1,4 +1,4 @@
-"""The face's profile in a side photo: a shape model of profiles laid on the person's outline.
+"""Fit of a shape model of profiles to the person's outline in a side photo.
 
 Face nets fail at 90 degrees, so the profile is found by its shape. The model (``profile_shapes.py``) holds outlines of
 random turned heads together with their named points; a coarse search over places, sizes, tilts and a few shapes gives
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face.profile_search import ProfileModel, normals_of, search, size_of
+from cloner.detectors.face.profile_search import ProfileModel, curve_normals, scale_of, search_starts
 from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
@@ -29,8 +29,8 @@ _NORMAL_M: Final = _CALIBRATED.number("normal_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Laid:
-    """A profile model laid on a photo.
+class FittedProfile:
+    """A profile model fitted to a photo.
 
     Attributes
     ----------
@@ -51,15 +51,15 @@ class Laid:
     @property
     def size(self) -> float:
         """Pixels per metre."""
-        return size_of(self.px_from_m)
+        return scale_of(self.px_from_m)
 
     def curve_px(self, model: ProfileModel) -> Array:
-        """Return the (M, 2) outline of the laid model, photo px."""
+        """Return the outline (M, 2) of the fitted model, photo px."""
         return np.asarray(model.shape(self.weights)[: model.samples] @ self.px_from_m[:, :2].T + self.px_from_m[:, 2])
 
 
-def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, size: float) -> Laid:
-    """Return the model laid on an outline by Gauss-Newton from a start.
+def fit_profile(outline_px: Array, model: ProfileModel, start: Array, weights: Array, size: float) -> FittedProfile:
+    """Return the model fitted to an outline by Gauss-Newton from a start.
 
     Parameters
     ----------
@@ -72,40 +72,40 @@ def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, si
     px_from_m, weights = np.asarray(start), np.asarray(weights)
     covariance: Array = np.eye(4 + len(weights))
     for gate in _GATES_M:
-        here, _, found, kept = _pairs(outline_px, model, px_from_m, weights, gate)
+        here, _, found, kept = _correspondences(outline_px, model, px_from_m, weights, gate)
         if kept.sum() < 20:
             break
-        now = size_of(px_from_m)
+        now = scale_of(px_from_m)
         normal = outline_px[found, 2:]
         gap = ((outline_px[found, :2] - here) * normal).sum(axis=1) / now
         share = 1.0 / (1.0 + (gap / (0.35 * gate)) ** 2) ** 2
         strength = np.where(kept, share, 0.0) / _SIGMA_M**2
         px_from_m, weights, covariance = _step(model, px_from_m, weights, normal, gap, strength, size)
-    return Laid(px_from_m, weights, _cost(outline_px, model, px_from_m, weights), covariance)
+    return FittedProfile(px_from_m, weights, _cost(outline_px, model, px_from_m, weights), covariance)
 
 
 def _step(
     model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, gap: Array, strength: Array, size: float
 ) -> tuple[Array, Array, Array]:
     """Return map, weights and covariance after one step of Gauss-Newton towards gaps (M,) metres along normals."""
-    now = size_of(px_from_m)
-    slope = _slopes(model, px_from_m, weights, normal, now)
+    now = scale_of(px_from_m)
+    slope = _jacobian(model, px_from_m, weights, normal, now)
     prior = np.concatenate([[25.0, 8.0, 0.0, 0.0], np.ones(len(weights))])
     pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
     system = slope.T @ (strength[:, None] * slope) + np.diag(prior + 1e-9)
     step = np.linalg.solve(system, slope.T @ (strength * gap) + pull)
-    moved = _moved(px_from_m, step[:4], model)
+    moved = _updated(px_from_m, step[:4], model)
     return moved, np.asarray(weights + step[4:]), np.asarray(np.linalg.inv(system))
 
 
-def _pairs(
+def _correspondences(
     outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, gate: float
 ) -> tuple[Array, Array, NDArray[np.intp], NDArray[np.bool_]]:
-    """Return model points and normals in px, the outline point nearest to each in place and slope, and which count."""
-    size = size_of(px_from_m)
+    """Return model points and normals in px, their nearest outline points by position and slope, and which count."""
+    size = scale_of(px_from_m)
     curve = model.shape(weights)[: model.samples]
     here = curve @ px_from_m[:, :2].T + px_from_m[:, 2]
-    outwards = normals_of(curve) @ px_from_m[:, :2].T / size
+    outwards = curve_normals(curve) @ px_from_m[:, :2].T / size
     tree = cKDTree(np.hstack([outline_px[:, :2], _NORMAL_M * size * outline_px[:, 2:]]))
     _, found = tree.query(np.hstack([here, _NORMAL_M * size * outwards]))
     near = np.linalg.norm(outline_px[found, :2] - here, axis=1) < gate * size
@@ -113,8 +113,8 @@ def _pairs(
     return here, outwards, found, near & alike
 
 
-def _slopes(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, size: float) -> Array:
-    """Return (M, 4 + B) change of the outline along the normals, metres, by log size, turn, place, weights."""
+def _jacobian(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, size: float) -> Array:
+    """Return the derivatives (M, 4 + B) along the normals, metres, by log scale, rotation, translation and weights."""
     centred = (model.shape(weights)[: model.samples] - model.mean[: model.samples].mean(axis=0)) @ px_from_m[:, :2].T
     turned = np.column_stack([-centred[:, 1], centred[:, 0]])
     bent = model.modes[:, : model.samples] @ px_from_m[:, :2].T
@@ -129,9 +129,9 @@ def _slopes(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array
     )
 
 
-def _moved(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
-    """Return the map after a step of log size, turn (radians, clockwise as seen) and place (metres)."""
-    size = size_of(px_from_m)
+def _updated(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
+    """Return the map after a step of log scale, rotation (radians, clockwise as seen) and translation (metres)."""
+    size = scale_of(px_from_m)
     step = step * min(1.0, 0.3 / max(abs(step[0]), abs(step[1]), 1e-9))
     c, s = np.cos(step[1]), np.sin(step[1])
     linear = np.exp(step[0]) * np.array([[c, -s], [s, c]]) @ px_from_m[:, :2]
@@ -141,15 +141,15 @@ def _moved(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
 
 
 def _cost(outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array) -> float:
-    """Return the cost of a laid model."""
-    here, outwards, found, kept = _pairs(outline_px, model, px_from_m, weights, _GATES_M[-1])
-    size = size_of(px_from_m)
+    """Return the cost of a fitted model."""
+    here, outwards, found, kept = _correspondences(outline_px, model, px_from_m, weights, _GATES_M[-1])
+    size = scale_of(px_from_m)
     gap = ((outline_px[found, :2] - here) * outwards).sum(axis=1) / size
     missed = np.where(kept, gap**2 / (gap**2 + _MISS_M**2), 1.0)
     return float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
 
 
-def lay_all(
+def fit_from_all_starts(
     mask: NDArray[np.uint8],
     outline_px: Array,
     model: ProfileModel,
@@ -157,8 +157,8 @@ def lay_all(
     facing: int,
     size: float,
     lean: float,
-) -> list[Laid]:
-    """Return the model laid on an outline from all starts that the search gives.
+) -> list[FittedProfile]:
+    """Return the model fitted to an outline from all starts of the search.
 
     Parameters
     ----------
@@ -172,12 +172,12 @@ def lay_all(
     """
     if len(noses_px) == 0:
         return []
-    starts = search(mask, model, noses_px, facing, size, lean)
-    return [lay(outline_px, model, start, weights, size) for start, weights in starts]
+    starts = search_starts(mask, model, noses_px, facing, size, lean)
+    return [fit_profile(outline_px, model, start, weights, size) for start, weights in starts]
 
 
-def named_px(model: ProfileModel, laid: Laid) -> tuple[Array, Array]:
-    """Return the named points (K, 2) in photo px and their expected errors (K,), metres, along one axis."""
+def named_px(model: ProfileModel, laid: FittedProfile) -> tuple[Array, Array]:
+    """Return the named points (K, 2) px and their sigmas (K,), metres, along one axis."""
     shape = model.shape(laid.weights)
     points = shape[model.samples :] @ laid.px_from_m[:, :2].T + laid.px_from_m[:, 2]
     bent = model.modes[:, model.samples :].transpose(1, 2, 0)

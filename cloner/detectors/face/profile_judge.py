@@ -1,4 +1,4 @@
-"""Which of several laid profiles is the face's: labels in a profile's own frame tell what no outline does.
+"""Choice among fitted profiles: labels in a profile's own frame, which its outline alone does not tell.
 
 A moustache, glasses before a brow or a fringe have the outline of a face as well as the face has. A linear model of the
 logarithm of the error (ridge regression) reads the labels on a grid that lies with the profile, where the pose net has
@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face.profile_fit import Laid
-from cloner.detectors.face.profile_search import ProfileModel, normals_of
+from cloner.detectors.face.profile_fit import FittedProfile
+from cloner.detectors.face.profile_search import ProfileModel, curve_normals
 from cloner.records.arrays import Array
 from cloner.records.labels import FACE, Label, labels_at, shows
 
@@ -49,7 +49,7 @@ _FAR_SIZE: Final = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Judge:
+class ProfileJudge:
     """A linear model of the logarithm of a profile's error in millimetres.
 
     Attributes
@@ -65,23 +65,23 @@ class Judge:
     usual: float
 
     def error_mm(self, seen: Array) -> float:
-        """Return the error to expect of a laid profile, millimetres, by its features (D,)."""
+        """Return the expected error of a fitted profile, millimetres, by its features (D,)."""
         return float(np.exp(self.usual + (seen - self.mean) @ self.weights))
 
 
 @functools.cache
-def load_judge() -> Judge:
+def load_judge() -> ProfileJudge:
     """Return the shipped model."""
     place = importlib.resources.files("cloner_models") / "profile_judge.npz"
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         mean, weights = (archive[name].astype(np.float64) for name in ("mean", "weights"))
-        return Judge(mean, weights, archive["usual"].item())
+        return ProfileJudge(mean, weights, archive["usual"].item())
 
 
 def features(
-    model: ProfileModel, laid: Laid, facing: int, labels: NDArray[np.uint8], told: tuple[int, Array] | None
+    model: ProfileModel, laid: FittedProfile, facing: int, labels: NDArray[np.uint8], told: tuple[int, Array] | None
 ) -> Array:
-    """Return (D,) what a laid profile is judged by.
+    """Return the features (D,) of a fitted profile.
 
     Parameters
     ----------
@@ -101,17 +101,17 @@ def features(
     face = face_share(model, laid, labels)
     tilt = np.arctan2(-linear[1, 0], facing * linear[0, 0])
     fit = (laid.cost, np.sqrt(max(laid.cost, 0.0)), laid.weights @ laid.weights / 10.0, tilt, 4.0 * tilt**2)
-    return np.concatenate([shown, _by_pose(laid, facing, tip, told), [face, face**2], fit])
+    return np.concatenate([shown, _pose_features(laid, facing, tip, told), [face, face**2], fit])
 
 
-def face_share(model: ProfileModel, laid: Laid, labels: NDArray[np.uint8]) -> float:
-    """Return the share of a laid profile with face on its inner side by the labels (H, W)."""
-    inwards = -normals_of(model.shape(laid.weights)[: model.samples]) @ laid.px_from_m[:, :2].T
+def face_share(model: ProfileModel, laid: FittedProfile, labels: NDArray[np.uint8]) -> float:
+    """Return the share of a fitted profile with face labels (H, W) on its inner side."""
+    inwards = -curve_normals(model.shape(laid.weights)[: model.samples]) @ laid.px_from_m[:, :2].T
     return float(shows(labels_at(labels, laid.curve_px(model) + INSIDE_M * inwards), *FACE).mean())
 
 
-def _by_pose(laid: Laid, facing: int, tip: Array, told: tuple[int, Array] | None) -> Array:
-    """Return how the pose net's places lie in a profile's frame; zeros where it tells none."""
+def _pose_features(laid: FittedProfile, facing: int, tip: Array, told: tuple[int, Array] | None) -> Array:
+    """Return the pose net's positions in a profile's frame; zeros without them."""
     if told is None:
         return np.zeros(21)
     own_m = np.linalg.solve(laid.px_from_m[:, :2], (told[1] - laid.px_from_m[:, 2]).T).T

@@ -1,4 +1,4 @@
-"""The profile model and the coarse search for it along a person's outline."""
+"""The shape model of profiles, and the coarse search along a person's outline."""
 
 from __future__ import annotations
 
@@ -71,13 +71,13 @@ def similarity(facing: int, size: float, tilt: float, nose_px: Array, nose_m: Ar
     return np.column_stack([linear, nose_px - linear @ nose_m])
 
 
-def size_of(px_from_m: Array) -> float:
+def scale_of(px_from_m: Array) -> float:
     """Return the pixels per metre of a similarity (2, 3)."""
     return float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
 
 
-def normals_of(curve: Array) -> Array:
-    """Return (N, 2) unit normals of an open curve: to the left of its direction in an x-right, y-up frame."""
+def curve_normals(curve: Array) -> Array:
+    """Return unit normals (N, 2) of an open curve: to the left of its direction in an x-right, y-up frame."""
     along = np.gradient(curve, axis=0)
     along = unit(along, 1e-12)
     return np.column_stack([-along[:, 1], along[:, 0]])
@@ -91,7 +91,7 @@ def signed_distance(mask: NDArray[np.uint8], scale: float) -> Field:
     return np.asarray(within - cv2.distanceTransform(1 - inside, cv2.DIST_L2, 5), np.float32)
 
 
-def search(
+def search_starts(
     mask: NDArray[np.uint8], model: ProfileModel, noses_px: Array, facing: int, size: float, lean: float
 ) -> list[tuple[Array, Array]]:
     """Return starts, best first: (2, 3) maps and weights.
@@ -117,7 +117,7 @@ def search(
     rated: list[tuple[float, Array, Array]] = []
     for weights in shapes:
         for tilt in _TILTS:
-            cost, sizes = _rate(field, model, weights, noses_px * scale, facing, size * scale, float(tilt))
+            cost, sizes = _mean_distances(field, model, weights, noses_px * scale, facing, size * scale, float(tilt))
             cost = cost + _UNUSUAL_TILT * (tilt - 0.5 * lean) ** 2 + _UNUSUAL_SIZE * np.log(_SIZES)[None] ** 2
             for row in np.argsort(cost, axis=None)[:STARTS]:
                 nose, which = np.unravel_index(row, cost.shape)
@@ -125,17 +125,17 @@ def search(
                 start = similarity(facing, sizes[which] / scale, float(tilt), noses_px[nose], tip)
                 rated.append((float(cost[nose, which]), start, weights))
     rated.sort(key=lambda r: r[0])
-    return _apart(rated, model)
+    return _distinct_starts(rated, model)
 
 
-def _rate(
+def _mean_distances(
     field: Field, model: ProfileModel, weights: Array, noses: Array, facing: int, size: float, tilt: float
 ) -> tuple[Array, Array]:
     """Return (noses, sizes) mean capped distances in metres, and the sizes tried in the field's px per metre."""
     shape = model.shape(weights)
     curve = shape[: model.samples]
     tip = shape[model.samples + model.names.index("nose_tip")]
-    outwards = normals_of(curve)[::3]
+    outwards = curve_normals(curve)[::3]
     sizes = size * _SIZES
     felt = np.stack([curve[::3] + away * outwards for away in (-_FEEL_M, 0.0, _FEEL_M)]) - tip
     want = np.array([_FEEL_M, 0.0, -_FEEL_M])[:, None]
@@ -150,13 +150,13 @@ def _rate(
     return np.minimum(gap, _CAP_M).mean(axis=(2, 3)), sizes
 
 
-def _apart(rated: list[tuple[float, Array, Array]], model: ProfileModel) -> list[tuple[Array, Array]]:
-    """Return the best starts, none nearly like a better one."""
+def _distinct_starts(rated: list[tuple[float, Array, Array]], model: ProfileModel) -> list[tuple[Array, Array]]:
+    """Return the best starts without near duplicates."""
     kept: list[tuple[Array, Array]] = []
     places: list[Array] = []
     for _, start, weights in rated:
         knots = model.shape(weights)[[0, model.samples // 2, model.samples - 1]] @ start[:, :2].T + start[:, 2]
-        reach = 0.008 * size_of(start)
+        reach = 0.008 * scale_of(start)
         if all(np.abs(knots - other).max() > reach for other in places):
             kept.append((start, weights))
             places.append(knots)

@@ -1,4 +1,4 @@
-"""Keep a native library's greetings off the terminal."""
+"""A native library's terminal output, sent to the log."""
 
 from __future__ import annotations
 

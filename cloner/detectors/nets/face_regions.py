@@ -1,4 +1,4 @@
-"""Lips, eyes and irises by the second half of the attention face net: what lies between its two published halves.
+"""Lips, eyes and irises by the second half of the attention face net.
 
 The net looks at the whole face, gives a mesh and features of every place, cuts three turned grids of features out
 where its mesh has the lips and the eyes, and looks at each again. Cutting out is done here, in NumPy, because the
@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.nets.placing import mesh_crop, mirror_order, nearby
+from cloner.detectors.nets.placing import jittered_crops, mesh_crop, mirror_order
 from cloner.vision.photographs.crops import cut, move_points, photo_px_from_crop
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
@@ -93,7 +93,7 @@ def cut_features(features: Features, linear: Floats, shift: Floats) -> Features:
 
 
 def refined_mesh(image: NDArray[np.uint8], run: RunNet) -> Floats:
-    """Return (470, 2) points of a face: the mesh, lips and eyes looked at again, and the iris centres.
+    """Return points (470, 2) of a face: the mesh, with refined lips and eyes, and the iris centres.
 
     Parameters
     ----------
@@ -123,14 +123,14 @@ def refined_mesh(image: NDArray[np.uint8], run: RunNet) -> Floats:
 
 
 def mean_refined_mesh(image: NDArray[np.uint8], run: RunNet) -> Floats:
-    """Return the mean of a face's points and those of its mirror image, (470, 2) net pixels."""
+    """Return the mean points of a face and its mirror image, (470, 2) net pixels."""
     straight = refined_mesh(image, run)
     mirrored = refined_mesh(np.ascontiguousarray(image[:, ::-1]), run)[np.append(mirror_order(), IRIS_ROWS[::-1])]
     return np.asarray((straight + np.column_stack([SIDE - mirrored[:, 0], mirrored[:, 1]])) / 2.0)
 
 
-def closer_look(photo: NDArray[np.uint8], mesh_px: Floats, run: RunNet) -> tuple[Floats, Floats]:
-    """Return a face's points with lips, eyes and brows looked at again, and its irises.
+def refine_regions(photo: NDArray[np.uint8], mesh_px: Floats, run: RunNet) -> tuple[Floats, Floats]:
+    """Return a face's points with lips, eyes and brows refined, and its irises.
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ def closer_look(photo: NDArray[np.uint8], mesh_px: Floats, run: RunNet) -> tuple
     (468, 2) float64 photo px, and (2, 2) float64 centres of the person's left and right iris
     """
     looks = []
-    for crop in nearby(mesh_crop(mesh_px)):
+    for crop in jittered_crops(mesh_crop(mesh_px)):
         photo_from_crop = photo_px_from_crop(crop, width=SIDE, height=SIDE)
         seen = mean_refined_mesh(cut(photo, crop, width=SIDE, height=SIDE), run)
         looks.append(move_points(seen - 0.5, photo_from_crop))

@@ -1,4 +1,4 @@
-"""Make a TensorFlow Lite model give inner tensors as outputs, without touching its weights."""
+"""TensorFlow Lite models with inner tensors as additional outputs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _OUTPUTS: Final = 2
 
 
 def with_outputs(model: bytes, tensors: Sequence[int]) -> bytes:
-    """Return a copy of a model whose first graph gives more tensors, after those it gave before.
+    """Return a copy of a model whose first graph has additional outputs, after its own.
 
     A FlatBuffer's vectors are found by forward offsets, so a longer list of outputs can stand at the file's end and
     the graph be pointed to it; nothing else moves.
@@ -43,12 +43,12 @@ def with_outputs(model: bytes, tensors: Sequence[int]) -> bytes:
 
 
 def _offset(buffer: bytearray, place: int) -> int:
-    """Return where the offset at a place points to."""
+    """Return the target of the offset at a position."""
     return place + int(struct.unpack_from("<I", buffer, place)[0])
 
 
 def _field(buffer: bytearray, table: int, number: int) -> int:
-    """Return the place of a table's field."""
+    """Return the position of a table's field."""
     described = table - int(struct.unpack_from("<i", buffer, table)[0])
     entry = 4 + 2 * number
     if entry >= struct.unpack_from("<H", buffer, described)[0]:

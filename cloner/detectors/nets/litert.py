@@ -1,4 +1,4 @@
-"""Learned points and masks by Google's published nets; only home of ai_edge_litert.
+"""Points and masks by Google's published nets; the only module that uses ai_edge_litert.
 
 All functions are pure: same photo, same answer. Photos are (H, W, 3) uint8 RGB, upright;
 points come back in photo px, (0, 0) being the centre of the top-left pixel.
@@ -20,22 +20,29 @@ from numpy.typing import NDArray
 
 from cloner.detectors.nets.anchors import DETECTOR_LAYERS, decode, join, make_anchors, sigmoid
 from cloner.detectors.nets.chatter import chatter_logged
-from cloner.detectors.nets.face_regions import closer_look
+from cloner.detectors.nets.face_regions import refine_regions
 from cloner.detectors.nets.inner_tensors import with_outputs
 from cloner.detectors.nets.mask_crops import body_mask, portrait_mask
 from cloner.detectors.nets.placing import (
-    around,
-    around_body,
+    body_crop,
     distinct,
+    enlarged_crop,
     face_crop,
+    jittered_crops,
     mesh_crop,
     mirror_crop,
     mirror_order,
-    nearby,
-    same_place,
-    whole_photo,
+    overlap_enough,
+    square_around_photo,
 )  # fmt: skip
-from cloner.detectors.nets.pose_passes import POSE_SIDE, Pass, hips_inside, look, look_at_portrait, look_twice
+from cloner.detectors.nets.pose_passes import (
+    POSE_SIDE,
+    PosePass,
+    run_portrait_pose,
+    run_pose,
+    run_pose_twice,
+    shows_hips,
+)
 from cloner.detectors.nets.results import Box, FaceResult, PoseResult
 from cloner.vision.photographs.crops import Crop, cut, move_points, photo_px_from_crop
 
@@ -64,14 +71,14 @@ def _net(name: str) -> tuple[Interpreter, threading.Lock]:
     return net, threading.Lock()
 
 
-def let_nets_go() -> None:
-    """Forget all nets: loaded they hold 180 MiB, and loading them takes .15 CPU seconds."""
+def release_nets() -> None:
+    """Unload all nets: loaded they take 180 MiB, and loading them takes .15 CPU seconds."""
     with _LOADING:
         _net.cache_clear()
 
 
 def _invoke(name: str, inputs: Sequence[NDArray[np.float32]], *, inner: bool = False) -> list[NDArray[np.float32]]:
-    """Run a net on inputs without the batch axis; return its outputs, and inner tensors if wanted, the same way."""
+    """Run a net on inputs without the batch axis; return its outputs, or those and the inner tensors."""
     with _LOADING:
         net: Any
         net, turn = _net(name)
@@ -109,7 +116,7 @@ def detect(name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"],
 
 def find_faces(photo: Photo, threshold: float = 0.5) -> list[Box]:
     """Return the faces in a photo, near and far, the best first."""
-    whole = whole_photo(photo)
+    whole = square_around_photo(photo)
     boxes = detect("face_detection_short_range", photo, whole, "face", threshold)
     boxes += detect("face_detection_full_range", photo, whole, "face", threshold)
     return distinct(boxes)
@@ -146,17 +153,17 @@ def detect_pose(rgb: Photo, person: Box | None = None) -> PoseResult | None:
     right as a rule, on pure side views the hidden limbs are guesses and the two sides
     may be exchanged. Use `visibility`.
     """
-    found: Pass | None = None
+    found: PosePass | None = None
     if person is not None and person.kind == "person":
-        found = look(rgb, around_body(person), pose_net)
+        found = run_pose(rgb, body_crop(person), pose_net)
     else:
-        boxes = detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
-        found = look_twice(rgb, around_body(boxes[0]), pose_net) if boxes else None
-    if found is None or hips_inside(found, rgb):
-        found = look_at_portrait(rgb, pose_net, selfie_net, found)
+        boxes = detect("pose_detection", rgb, square_around_photo(rgb), "person", 0.3)
+        found = run_pose_twice(rgb, body_crop(boxes[0]), pose_net) if boxes else None
+    if found is None or shows_hips(found, rgb):
+        found = run_portrait_pose(rgb, pose_net, selfie_net, found)
     if found is None:
         return None
-    if hips_inside(found, rgb):
+    if shows_hips(found, rgb):
         return found.result(body_mask(rgb, found.crop, _pose_mask_net))
     return found.result(portrait_mask(rgb, selfie_net))
 
@@ -172,7 +179,7 @@ def selfie_net(photo: Photo, crop: Crop) -> Floats:
 
 
 def label_features(rgb: Photo) -> list[NDArray[np.float32]]:
-    """Return what the pose and selfie nets compute on the way to their answers, for the label decoder.
+    """Return the inner features of the pose and selfie nets for the label decoder.
 
     Parameters
     ----------
@@ -193,7 +200,7 @@ def label_features(rgb: Photo) -> list[NDArray[np.float32]]:
 
 
 def face_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
-    """Return 468 points (x, y photo px; depth px) and the presence of a face."""
+    """Return 468 points (x, y photo px; depth px) and the probability that a face is present."""
     image = cut(photo, crop, width=FACE_SIDE, height=FACE_SIDE)
     points, flag = sorted(_run("face_landmark.tflite", image, low=0.0), key=lambda a: -a.size)
     table = points.reshape(468, 3).astype(np.float64)
@@ -234,8 +241,8 @@ def detect_face(rgb: Photo) -> FaceResult | None:
     return next((face for box in largest_first if (face := _face_at(rgb, box, 0.5)) is not None), None)
 
 
-def guess_face(rgb: Photo) -> FaceResult | None:
-    """Return the 468 points of the likeliest face as the mesh net guesses them, however little of a face it sees.
+def guess_hidden_face(rgb: Photo) -> FaceResult | None:
+    """Return the 468 points of the likeliest face, however little of it the mesh net sees.
 
     Hair before a face leaves the detector sure and the mesh net in doubt; so do backs of heads and profiles.
     """
@@ -244,8 +251,8 @@ def guess_face(rgb: Photo) -> FaceResult | None:
 
 
 def _face_at(rgb: Photo, box: Box, least: float) -> FaceResult | None:
-    """Return the face that the mesh net sees in a detected box, None where its presence is below the least."""
-    box = _look_closer(rgb, box)
+    """Return the face in a detected box, None where its presence is below ``least``."""
+    box = _detect_again(rgb, box)
     points, presence = face_mesh(rgb, face_crop(box))
     if presence < least:
         return None
@@ -253,14 +260,14 @@ def _face_at(rgb: Photo, box: Box, least: float) -> FaceResult | None:
     if presence < least:
         return None
     # The second crop comes from the first points, as in MediaPipe.
-    points = np.mean([_mean_mesh(rgb, near)[0] for near in nearby(mesh_crop(points))], axis=0)
+    points = np.mean([_mean_mesh(rgb, near)[0] for near in jittered_crops(mesh_crop(points))], axis=0)
     across = float(np.hypot(*(points[263, :2] - points[33, :2])))
     turn = math.degrees(math.atan2(points[263, 2] - points[33, 2], across))
-    closer, irises = closer_look(rgb, points, _invoke)
+    closer, irises = refine_regions(rgb, points, _invoke)
     return FaceResult(closer, points[:, 2], presence, turn, box, irises, points[:, :2])
 
 
-def _look_closer(photo: Photo, box: Box) -> Box:
-    """Detect a small face again in a crop round it, where its eyes are sharper."""
-    near = detect("face_detection_short_range", photo, around(box), "face", 0.5)
-    return near[0] if near and same_place(near[0], box, 0.3) else box
+def _detect_again(photo: Photo, box: Box) -> Box:
+    """Detect a small face again in a crop around it, where its eyes are sharper."""
+    near = detect("face_detection_short_range", photo, enlarged_crop(box), "face", 0.5)
+    return near[0] if near and overlap_enough(near[0], box, 0.3) else box

@@ -1,4 +1,4 @@
-"""Which crops a mask net is shown, and how its answers join. No net here."""
+"""Crops for a mask net, and the merging of its results. No net here."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.nets.placing import mirror_crop, whole_picture
+from cloner.detectors.nets.placing import full_crop, mirror_crop
 from cloner.vision.photographs.crops import Crop, paste
 
 Photo = NDArray[np.uint8]
@@ -46,4 +46,4 @@ def body_mask(photo: Photo, crop: Crop, run: MaskNet) -> NDArray[np.float32]:
 
 def portrait_mask(photo: Photo, run: MaskNet) -> NDArray[np.float32]:
     """Return the mask of a person cut by the lower edge (selfie net, whole photo)."""
-    return mean_mask(photo, whole_picture(photo), run)
+    return mean_mask(photo, full_crop(photo), run)

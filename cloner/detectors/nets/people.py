@@ -1,4 +1,4 @@
-"""Who is in a photo: bodies that the pose net confirms, faces that no body owns."""
+"""People in a photo: bodies that the pose net confirms, and faces without a body."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.nets.litert import detect, detect_pose, face_mesh, find_faces, pose_net, selfie_net
 from cloner.detectors.nets.placing import (
-    around_body,
+    body_crop,
     face_crop,
+    full_crop,
     has_face,
-    lies_in,
-    owns,
+    is_upright,
+    is_within,
+    owns_face,
     same_body,
     same_crop,
-    stands,
-    whole_photo,
-    whole_picture,
+    square_around_photo,
 )  # fmt: skip
 from cloner.detectors.nets.portraits import is_cut_below
-from cloner.detectors.nets.pose_passes import CONFIRMED, look, look_at_portrait
+from cloner.detectors.nets.pose_passes import CONFIRMED, run_portrait_pose, run_pose
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.vision.photographs.crops import Crop
 from cloner.vision.segmentation.pieces import box_around
@@ -52,26 +52,26 @@ def _find_people(photo: Photo) -> list[Box]:
     """
     height, width = photo.shape[:2]
     side = float(max(height, 0.6 * width))
-    tiles = [whole_photo(photo)]
+    tiles = [square_around_photo(photo)]
     tiles += [Crop(x * width, (height - 1) / 2.0, side, side) for x in (0.27, 0.73)]
     found = [b for tile in tiles for b in detect("pose_detection", photo, tile, "person", DIM)]
-    found = sorted((box for box in found if stands(box)), key=lambda b: -b.score)
-    people = _confirmed(photo, [box for box in found if box.score >= CLEAR], CONFIRMED)
+    found = sorted((box for box in found if is_upright(box)), key=lambda b: -b.score)
+    people = _confirmed_by_pose(photo, [box for box in found if box.score >= CLEAR], CONFIRMED)
     dim = [] if people else [box for box in found if box.score < CLEAR]
-    if dim and is_cut_below(selfie_net(photo, whole_picture(photo))):
+    if dim and is_cut_below(selfie_net(photo, full_crop(photo))):
         dim = []  # a portrait: what stands in it is no whole body
-    return people or _confirmed(photo, dim, CERTAIN)[:1]
+    return people or _confirmed_by_pose(photo, dim, CERTAIN)[:1]
 
 
-def _confirmed(photo: Photo, boxes: Sequence[Box], least: float) -> list[Box]:
-    """Return the distinct bodies among boxes of which the pose net is at least so sure, in the boxes' order."""
+def _confirmed_by_pose(photo: Photo, boxes: Sequence[Box], least: float) -> list[Box]:
+    """Return the distinct bodies among boxes with at least this pose score, in the boxes' order."""
     people: list[Box] = []
     confirmed: list[Crop] = []
     for box in boxes:
-        crop = around_body(box)
+        crop = body_crop(box)
         if any(same_crop(other, crop) for other in confirmed):  # as most tiles find the person: a third of the looks
             continue
-        seen = look(photo, crop, pose_net)
+        seen = run_pose(photo, crop, pose_net)
         if seen.score < least:
             continue
         confirmed.append(crop)
@@ -102,22 +102,22 @@ def detect_people(rgb: Photo) -> list[Box]:
     tallest = max((p.height_px for p in people), default=0.0)
     people = [p for p in people if p.height_px >= 0.45 * tallest]
     faces = [f for f in find_faces(rgb, 0.6) if face_mesh(rgb, face_crop(f))[1] > 0.5]
-    people = [p for p in people if has_face(p, faces) or not any(lies_in(p, other) for other in people)]
+    people = [p for p in people if has_face(p, faces) or not any(is_within(p, other) for other in people)]
     widest = max((f.width_px for f in faces), default=0.0)
-    owned = [any(owns(p, f) for p in people) for f in faces]
+    owned = [any(owns_face(p, f) for p in people) for f in faces]
     # a body's own face tells how large other faces must be; without one, a tenth of it
     least = max([f.width_px for f, o in zip(faces, owned, strict=True) if o], default=0.12 * tallest)
     for face, has_owner in zip(faces, owned, strict=True):
         if not has_owner and face.width_px >= 0.45 * max(least, 0.0 if people else widest):
             people.append(face)
     if not people:
-        portrait = look_at_portrait(rgb, pose_net, selfie_net, None)
+        portrait = run_portrait_pose(rgb, pose_net, selfie_net, None)
         people = [] if portrait is None else [portrait.box(portrait.score)]
     return sorted(people, key=lambda p: -p.height_px)
 
 
-def pose_with_room(rgb: Photo) -> PoseResult | None:
-    """Find the person whose head fills a portrait up to its upper edge, where the nets see nobody: give it room.
+def padded_pose(rgb: Photo) -> PoseResult | None:
+    """Find the person whose head fills a portrait up to its upper edge, where the nets need padding.
 
     The edge is continued above and on both sides.
 
@@ -144,7 +144,7 @@ def pose_with_room(rgb: Photo) -> PoseResult | None:
 
 
 def pose_in_mask(rgb: Photo, inside: NDArray[np.bool_]) -> PoseResult | None:
-    """Find the person who stands where a mask says, and whom no detector sees: hooded, before a motley wall.
+    """Find the person inside a mask that no detector sees: hooded, before a cluttered wall.
 
     Parameters
     ----------
@@ -163,4 +163,4 @@ def pose_in_mask(rgb: Photo, inside: NDArray[np.bool_]) -> PoseResult | None:
     shares = np.array([hips, hips - radius, shoulders, nose])
     points = np.column_stack([np.full(4, 0.5 * (left + right)), top + (bottom - top) * shares])
     box = Box("person", left, top, right, bottom, 1.0, points)
-    return detect_pose(rgb, box) if look(rgb, around_body(box), pose_net).score >= CERTAIN else None
+    return detect_pose(rgb, box) if run_pose(rgb, body_crop(box), pose_net).score >= CERTAIN else None

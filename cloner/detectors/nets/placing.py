@@ -1,4 +1,4 @@
-"""Where to look: the crops nets want, and which finds belong together. No net here."""
+"""Crops for nets, and matching of detections. No net here."""
 
 from __future__ import annotations
 
@@ -37,19 +37,19 @@ SAME_BOX = _CALIBRATED.number("same_box", "share")
 
 
 def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:
-    """Return the square round a circle, turned so that the rim point is up."""
+    """Return the square around a circle, rotated so that the rim point is up."""
     across, down = (rim - middle).tolist()
     side = 2.0 * math.hypot(across, down) * scale
     return Crop(float(middle[0]), float(middle[1]), side, side, math.atan2(across, -down))
 
 
-def around_body(body: Box) -> Crop:
-    """Return the square the pose net wants, from a detected body or from the net's own points."""
+def body_crop(body: Box) -> Crop:
+    """Return the pose net's input square, from a detected body or from the net's own points."""
     return circle_crop(body.keypoints_px[0], body.keypoints_px[1], 1.25)
 
 
 def same_crop(first: Crop, second: Crop) -> bool:
-    """Whether two crops around bodies show one person alike: hips nearer than a hand is wide, of one height.
+    """Return whether two body crops show one person: hips closer than a hand's width, similar height.
 
     Measured on 15 photos: what one person's crops differ by is 1 to 4 % of a side in place and up to 13 % in size.
     """
@@ -58,8 +58,8 @@ def same_crop(first: Crop, second: Crop) -> bool:
     return apart < SAME_CROP * small and large < SAME_CROP_SIZE * small
 
 
-def same_place(first: Box, second: Box, overlap: float) -> bool:
-    """Whether two boxes share more than `overlap` of their union."""
+def overlap_enough(first: Box, second: Box, overlap: float) -> bool:
+    """Return whether the intersection over union of two boxes exceeds `overlap`."""
     rows = [
         np.array([[b.left_px + b.right_px, b.top_px + b.bottom_px], [2 * b.width_px, 2 * b.height_px]]) / 2.0
         for b in (first, second)
@@ -68,60 +68,62 @@ def same_place(first: Box, second: Box, overlap: float) -> bool:
 
 
 def distinct(boxes: list[Box]) -> list[Box]:
-    """Return the boxes without repeats, the best first."""
+    """Return the boxes without duplicates, the best first."""
     kept: list[Box] = []
     for box in sorted(boxes, key=lambda b: -b.score):
-        if not any(same_place(box, other, SAME_BOX) for other in kept):
+        if not any(overlap_enough(box, other, SAME_BOX) for other in kept):
             kept.append(box)
     return kept
 
 
 def near_head(person: Box, point: Floats) -> bool:
-    """Whether a point lies no farther from a body's nose than its shoulders do."""
+    """Return whether a point lies no farther from a body's nose than its shoulders do."""
     shoulders, nose = person.keypoints_px[2:4]
     return bool(np.hypot(*(point - nose)) < np.hypot(*(shoulders - nose)))
 
 
 def same_body(first: Box, second: Box) -> bool:
-    """Whether two confirmed bodies are one: by either's head, or, in portraits from the side, by all but the head."""
+    """Return whether two confirmed bodies are one: by either's head or, in side portraits, by their overlap."""
     heads = near_head(first, second.keypoints_px[3]) or near_head(second, first.keypoints_px[3])
-    return heads or same_place(first, second, 0.7)
+    return heads or overlap_enough(first, second, 0.7)
 
 
-def lies_in(inner: Box, outer: Box) -> bool:
-    """Whether a smaller box lies within another's, but for a tenth of it."""
+def is_within(inner: Box, outer: Box) -> bool:
+    """Return whether a smaller box lies within another one, but for a tenth of it."""
     across = min(inner.right_px, outer.right_px) - max(inner.left_px, outer.left_px)
     down = min(inner.bottom_px, outer.bottom_px) - max(inner.top_px, outer.top_px)
     size = inner.width_px * inner.height_px
     return size < outer.width_px * outer.height_px and min(across, down) > 0.0 and across * down > 0.9 * size
 
 
-def stands(body: Box) -> bool:
-    """Whether a detected body's head is above its hips: a pattern on trousers can look like one upside down."""
+def is_upright(body: Box) -> bool:
+    """Return whether a detected body's head is above its hips: patterns on trousers can look like a
+    body upside down.
+    """
     hips, reach = body.keypoints_px[:2]
     return bool(reach[1] < hips[1])
 
 
-def middle(box: Box) -> Floats:
-    """Return the middle of a box, photo px."""
+def box_centre(box: Box) -> Floats:
+    """Return the centre of a box, photo px."""
     return np.array([box.left_px + box.right_px, box.top_px + box.bottom_px]) / 2.0
 
 
 def has_face(person: Box, faces: Sequence[Box]) -> bool:
-    """Whether one of the faces is where a body's head is."""
-    return any(near_head(person, middle(face)) for face in faces)
+    """Return whether one of the faces is at a body's head."""
+    return any(near_head(person, box_centre(face)) for face in faces)
 
 
-def owns(person: Box, face: Box) -> bool:
-    """Whether a face is a body's own, or lies on it (a printed shirt)."""
-    x, y = middle(face)
+def owns_face(person: Box, face: Box) -> bool:
+    """Return whether a face belongs to a body, or lies on it (a printed shirt)."""
+    x, y = box_centre(face)
     inside = person.left_px < x < person.right_px and person.top_px < y < person.bottom_px
     return has_face(person, [face]) or inside
 
 
 @lru_cache(maxsize=1)
 def mirror_order() -> NDArray[np.intp]:
-    """Return for each of the 468 points the one on the other side of the face."""
+    """Return for each of the 468 points its counterpart on the other side of the face."""
     with (files("cloner_models") / "nets" / "canonical_face.npz").open("rb") as file:
         vertices = np.load(file)["vertices_cm"].astype(np.float64)
     gap = np.linalg.norm(vertices[:, None] * np.array([-1.0, 1.0, 1.0]) - vertices[None], axis=-1)
@@ -131,7 +133,7 @@ def mirror_order() -> NDArray[np.intp]:
 
 
 def face_crop(box: Box) -> Crop:
-    """Return the square the mesh net wants, from a detected face."""
+    """Return the mesh net's input square, from a detected face."""
     right_eye, left_eye = box.keypoints_px[:2]
     across, down = (left_eye - right_eye).tolist()
     side = 1.5 * max(box.width_px, box.height_px)
@@ -139,14 +141,14 @@ def face_crop(box: Box) -> Crop:
     return Crop(*middle, side, side, math.atan2(down, across))
 
 
-def around(box: Box) -> Crop:
-    """Return an upright square three times as large as a found face."""
+def enlarged_crop(box: Box) -> Crop:
+    """Return an upright square three times as large as a detected face."""
     side = 3.0 * max(box.width_px, box.height_px)
     return Crop((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2, side, side)
 
 
 def mesh_crop(points: Floats) -> Crop:
-    """Return the square the mesh net wants, from a first mesh in photo px."""
+    """Return the mesh net's input square, from a first mesh in photo px."""
     across, down = (points[263, :2] - points[33, :2]).tolist()
     angle = math.atan2(down, across)
     turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
@@ -157,8 +159,8 @@ def mesh_crop(points: Floats) -> Crop:
     return Crop(float(middle[0]), float(middle[1]), side, side, angle)
 
 
-def nearby(crop: Crop) -> list[Crop]:
-    """Return crops a little larger, smaller, turned and shifted, the given one first.
+def jittered_crops(crop: Crop) -> list[Crop]:
+    """Return the crop and slightly scaled, rotated and shifted ones, for test-time augmentation.
 
     What a net says of them differs by half of its error (measured: 0.5 of 1.2 mm a point), so their mean errs less.
     """
@@ -175,27 +177,27 @@ def nearby(crop: Crop) -> list[Crop]:
     ]
 
 
-def turned(points: Floats, angle_rad: float) -> Floats:
-    """Return (N, 2) points turned about the origin, clockwise as seen."""
+def rotated(points: Floats, angle_rad: float) -> Floats:
+    """Return points (N, 2) rotated about the origin, clockwise as seen."""
     cos, sin = math.cos(angle_rad), math.sin(angle_rad)
     return np.asarray(points @ [[cos, sin], [-sin, cos]])
 
 
 def mirror_crop(photo: Photo, crop: Crop) -> tuple[Photo, Crop]:
-    """Return the mirrored photo and the crop that shows the same place in it."""
+    """Return the mirrored photo and the corresponding crop in it."""
     flipped = np.asarray(cv2.flip(photo, 1), np.uint8)  # a tenth of the time that a reversed view takes to copy
     across = photo.shape[1] - 1 - crop.x_px
     return flipped, Crop(across, crop.y_px, crop.width_px, crop.height_px, -crop.angle_rad)
 
 
-def whole_photo(photo: Photo) -> Crop:
-    """Return the smallest square round the photo."""
+def square_around_photo(photo: Photo) -> Crop:
+    """Return the smallest square around the photo."""
     height, width = photo.shape[:2]
     side = float(max(height, width))
     return Crop((width - 1) / 2.0, (height - 1) / 2.0, side, side)
 
 
-def whole_picture(photo: Photo) -> Crop:
-    """Return the photo itself as a crop; a square net sees it squeezed."""
+def full_crop(photo: Photo) -> Crop:
+    """Return the whole photo as a crop, which a square net sees squeezed."""
     height, width = photo.shape[:2]
     return Crop((width - 1) / 2.0, (height - 1) / 2.0, float(width), float(height))

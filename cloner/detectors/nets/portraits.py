@@ -1,4 +1,4 @@
-"""A person whom the photo's lower edge cuts: where the body must be that the pose net wants to see. No net here.
+"""Crops for the pose net where the photo's lower edge cuts the person. No net here.
 
 The pose detector was taught on whole bodies. On a head seen from the side that fills the picture it finds nobody, or a
 little body in an ear (10 of 30 painted heads at 90 degrees); the person's mask, taught on near people, is right there.
@@ -25,7 +25,7 @@ _PERSON: Final = _CALIBRATED.number("person", "share")
 
 
 def is_cut_below(person: Array) -> bool:
-    """Return whether the picture's lower edge cuts a person who is near.
+    """Return whether the photo's lower edge cuts a person close to the camera.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def is_cut_below(person: Array) -> bool:
 
 
 def portrait_crop(person: Array, shape: tuple[int, int]) -> Crop:
-    """Return the crop in which the pose net sees a person cut by the picture's lower edge: hips below it.
+    """Return the pose net's input for a person cut by the photo's lower edge: hips below it.
 
     Parameters
     ----------
@@ -51,8 +51,8 @@ def portrait_crop(person: Array, shape: tuple[int, int]) -> Crop:
     return circle_crop(np.array([across, top + radius]), np.array([across, top]), 1.25)
 
 
-def agreement(body: Array, crop: Crop, person: Array, shape: tuple[int, int]) -> float:
-    """Return 0..1 how much of its union a pose's own mask shares with the mask of the whole picture.
+def mask_agreement(body: Array, crop: Crop, person: Array, shape: tuple[int, int]) -> float:
+    """Return the intersection over union of a pose's own mask and the mask of the whole photo.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The pose net looks twice: first where a detector points to, then where its own points say. No net here."""
+"""The two passes of the pose net: at the detector's crop, then at the crop of its own points. No net here."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.nets.anchors import sigmoid
 from cloner.detectors.nets.mask_crops import MaskNet
-from cloner.detectors.nets.placing import circle_crop, whole_picture
-from cloner.detectors.nets.portraits import agreement, is_cut_below, portrait_crop
+from cloner.detectors.nets.placing import circle_crop, full_crop
+from cloner.detectors.nets.portraits import is_cut_below, mask_agreement, portrait_crop
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.vision.photographs.crops import Crop, move_points, photo_px_from_crop
 
@@ -33,31 +33,31 @@ _INSIDE: Final = _CALIBRATED.number("inside", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Pass:
-    """What the pose net says of one crop of a photo."""
+class PosePass:
+    """Output of the pose net for one crop of a photo."""
 
     out: dict[int, NDArray[np.float32]]
     crop: Crop
 
     @property
     def points_px(self) -> Floats:
-        """The net's 39 points in photo px; 33 and 34 are the body's circle."""
+        """Return the net's 39 points in photo px; 33 and 34 are the body's circle."""
         table = self.out[195].reshape(39, 5)[:, :2].astype(np.float64) - 0.5
         return np.asarray(move_points(table, photo_px_from_crop(self.crop, width=POSE_SIDE, height=POSE_SIDE)))
 
     @property
     def score(self) -> float:
-        """How sure the net is that a person is there, 0..1."""
+        """Return the probability of a person, 0..1."""
         return float(self.out[1].ravel()[0])
 
     @property
     def mask(self) -> Floats:
-        """(256, 256) probability of the person in the crop."""
+        """Return the probability (256, 256) of the person in the crop."""
         return sigmoid(self.out[POSE_SIDE * POSE_SIDE].reshape(POSE_SIDE, POSE_SIDE))
 
     @property
     def next_crop(self) -> Crop:
-        """Where the net would look next."""
+        """Return the crop for the next pass."""
         points = self.points_px
         return circle_crop(points[33], points[34], 1.25)
 
@@ -82,23 +82,23 @@ class Pass:
         )
 
 
-def look(photo: Photo, crop: Crop, net: PoseNet) -> Pass:
+def run_pose(photo: Photo, crop: Crop, net: PoseNet) -> PosePass:
     """Return one pass."""
-    return Pass(net(photo, crop), crop)
+    return PosePass(net(photo, crop), crop)
 
 
-def look_twice(photo: Photo, crop: Crop, net: PoseNet) -> Pass:
-    """Return the second pass: the first points give a better crop."""
-    return look(photo, look(photo, crop, net).next_crop, net)
+def run_pose_twice(photo: Photo, crop: Crop, net: PoseNet) -> PosePass:
+    """Return the second pass, at the crop that the first points give."""
+    return run_pose(photo, run_pose(photo, crop, net).next_crop, net)
 
 
-def hips_inside(found: Pass, photo: Photo) -> bool:
+def shows_hips(found: PosePass, photo: Photo) -> bool:
     """Return whether the photo shows the hips: a whole body, not a portrait."""
     return bool(found.points_px[23:25, 1].max() < _INSIDE * photo.shape[0])
 
 
-def look_at_portrait(photo: Photo, net: PoseNet, mask_net: MaskNet, doubted: Pass | None) -> Pass | None:
-    """Return the pose of a person whom the lower edge cuts, or what was there before.
+def run_portrait_pose(photo: Photo, net: PoseNet, mask_net: MaskNet, doubted: PosePass | None) -> PosePass | None:
+    """Return the pose of a person whom the lower edge cuts, or the doubted one.
 
     Parameters
     ----------
@@ -108,13 +108,13 @@ def look_at_portrait(photo: Photo, net: PoseNet, mask_net: MaskNet, doubted: Pas
     doubted : Pass or None
         A pose with hips inside the photo; it stays when it covers the person better.
     """
-    person = mask_net(photo, whole_picture(photo))
+    person = mask_net(photo, full_crop(photo))
     if not is_cut_below(person):
         return doubted
     shape = (photo.shape[0], photo.shape[1])
-    found = look_twice(photo, portrait_crop(person, shape), net)
-    share = agreement(found.mask, found.crop, person, shape)
+    found = run_pose_twice(photo, portrait_crop(person, shape), net)
+    share = mask_agreement(found.mask, found.crop, person, shape)
     if found.score < CONFIRMED or share < _COVERED:
         return doubted
-    before = 0.0 if doubted is None else doubted.score * agreement(doubted.mask, doubted.crop, person, shape)
+    before = 0.0 if doubted is None else doubted.score * mask_agreement(doubted.mask, doubted.crop, person, shape)
     return found if found.score * share > before else doubted

@@ -1,4 +1,4 @@
-"""Rows of the pose net (BlazePose numbering) and what they stand for."""
+"""Rows of the pose net (BlazePose numbering) by name."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.paint.composing.compose import paint, paint_table
 from cloner.paint.details.tucking import tuck_scalp
 from cloner.paint.lookups.sources import Source
-from cloner.stages.textures import Params, share_photos
+from cloner.stages.textures import Params, prepare_sources
 
 #: Side of the atlas that is asked, texels: enough to count.
 SIZE: Final = 512
@@ -60,7 +60,7 @@ def texel_origins(values: Mapping[str, Any]) -> Origins | None:
     generic, params = load_generic(), Params()
     joined, shells = values["obeyed"], values["shells"]
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
-    shared, _ = share_photos(
+    shared, _ = prepare_sources(
         generic, values["photos"], values["proposals"], values["obeyed_silhouettes"], joined, shells, params,
         lambda part: None,
     )  # fmt: skip

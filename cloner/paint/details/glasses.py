@@ -18,7 +18,7 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import swept
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
-from cloner.labels.glasses import frame_of
+from cloner.labels.glasses import glasses_frame
 from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, frame_reader, hides_eyes, picture_px
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
@@ -77,7 +77,7 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     view = joined.views[ViewId.FACE_FRONT]
     head = generic.joint("skullbase")
     posed_from_rest = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)[head]
-    labelled = frame_of(proposal)
+    labelled = glasses_frame(proposal)
     if not labelled.any():
         return None
     read = _plane_reader(joined, view, posed_from_rest)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.seen_points import stance
-from cloner.labels.glasses import frame_of
+from cloner.labels.glasses import glasses_frame
 from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
@@ -92,7 +92,7 @@ def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray
     Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
     2004); the frame is drawn on a shell of its own.
     """
-    frame = frame_of(proposal)
+    frame = glasses_frame(proposal)
     rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
     if not rows.size:
         return rgb, proposal

@@ -129,9 +129,9 @@ class Session(QObject):
         proposed = self.proposed.get(view)
         if proposed is None:
             return None
-        from cloner.stages.points import corrected  # with the fit's own libraries: not paid for at the start
+        from cloner.stages.points import apply_corrections  # with the fit's own libraries: not paid for at the start
 
-        return corrected(proposed, self.corrections.points.get(view, {}), self.photos.photos[view])
+        return apply_corrections(proposed, self.corrections.points.get(view, {}), self.photos.photos[view])
 
     def place_point(self, view: ViewId, name: str, x_px: float, y_px: float, gesture: str = "") -> None:
         """Correct one point; places off the photo are pulled back on to it."""

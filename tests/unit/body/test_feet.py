@@ -13,7 +13,7 @@ from cloner.geometry.meshes.triangles import areas
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.fine import extremities
+from cloner.stages.fine import fit_extremities
 from kit import people, studio
 
 NAKED = np.array([1.0, 1.0, 1.0, 0.0])
@@ -116,7 +116,7 @@ def extent(vertices_m, axis):
 
 def test_a_large_shoe_is_found_from_its_outlines(body):
     true = feet.scale_feet(feet.close_toes(body), np.array([1.2, 1.14, 1.3, 0.0]), SOLE_M)
-    found = extremities(body, photographed(body, true, SOLE_M), SOLE_M, {})[0].vertices_m
+    found = fit_extremities(body, photographed(body, true, SOLE_M), SOLE_M, {})[0].vertices_m
     assert extent(found, 2) == pytest.approx(extent(true, 2), abs=4.0)
     assert extent(found, 0) == pytest.approx(extent(true, 0), abs=4.0)
     usual = feet.scale_feet(feet.close_toes(body), np.array(feet.Params().shod), SOLE_M)
@@ -124,7 +124,7 @@ def test_a_large_shoe_is_found_from_its_outlines(body):
 
 
 def test_naked_feet_stay_naked(body):
-    found = extremities(body, photographed(body, body.vertices_m, 0.0), 0.0, {})[0].vertices_m
+    found = fit_extremities(body, photographed(body, body.vertices_m, 0.0), 0.0, {})[0].vertices_m
     assert extent(found, 2) == pytest.approx(extent(body.vertices_m, 2), abs=4.0)
     # outlines are half a pixel (0.6 mm) large on every side, and toes spread
     assert extent(found, 0) == pytest.approx(extent(body.vertices_m, 0), abs=6.0)

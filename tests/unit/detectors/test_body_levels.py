@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.detectors.body.levels import LevelModel, conclude, load_levels, load_offsets
+from cloner.detectors.body.levels import LevelModel, infer_levels, load_levels, load_offsets
 
 #: Three joints on a common scale and a feature halfway between the last two.
 SCALE = np.array([0.8, 0.55, 0.3, 0.1, 0.42])
@@ -15,8 +15,8 @@ MODEL = LevelModel(
 
 
 def test_what_is_seen_moves_and_narrows_what_is_not():
-    before = conclude(MODEL, {})
-    after = conclude(MODEL, dict(zip(MODEL.names[:4], 1.05 * SCALE[:4], strict=True)))
+    before = infer_levels(MODEL, {})
+    after = infer_levels(MODEL, dict(zip(MODEL.names[:4], 1.05 * SCALE[:4], strict=True)))
     assert before.level["thigh"] == pytest.approx(0.42)
     assert after.level["thigh"] == pytest.approx(1.05 * 0.42, abs=0.006)
     assert after.spread["thigh"] < 0.5 * before.spread["thigh"]
@@ -27,18 +27,18 @@ def test_what_is_seen_moves_and_narrows_what_is_not():
 def test_a_level_that_contradicts_the_others_is_refused(wrong):
     seen = dict(zip(MODEL.names[:4], SCALE[:4], strict=True))
     seen[wrong] += 0.08
-    found = conclude(MODEL, seen)
+    found = infer_levels(MODEL, seen)
     assert found.refused == (wrong,)
     assert found.level["thigh"] == pytest.approx(0.42, abs=0.006)
 
 
 def test_shipped_levels_are_in_anthropometric_order():
     for kind in ("front", "back"):
-        level = conclude(load_levels(kind), {}).level
+        level = infer_levels(load_levels(kind), {}).level
         order = ("neck_base", "joint_shoulder", "armpit", "waist", "joint_hip", "hip", "joint_knee", "ankle_outer")
         heights = [level[name] for name in order]
         assert heights == sorted(heights, reverse=True), (kind, dict(zip(order, heights, strict=True)))
-    level = conclude(load_levels("side"), {}).level
+    level = infer_levels(load_levels("side"), {}).level
     order = ("neck_back", "back", "waist_back", "buttock", "thigh_back", "knee_back", "calf", "ankle_back")
     heights = [level[name] for name in order]
     assert heights == sorted(heights, reverse=True)

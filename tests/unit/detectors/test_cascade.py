@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.face.cascade import FEATURES, Pose, find_feature, load_cascades, sided
+from cloner.detectors.face.cascade import FEATURES, FeaturePose, find_feature, load_cascades, side_names
 from cloner.vision.photographs.gradients import describe
 from kit.visitors import photo, truth_mask, visitor_folder
 
@@ -35,7 +35,9 @@ def test_front_ears_are_found_from_a_sixth_of_the_eye_distance(name, side):
     true = np.array([known[f"{n}_{side}"] for n in FEATURES["front_ear"]])
     for push in ([0.12, 0.1], [-0.12, -0.1]):
         start = true.mean(axis=0) + iod * np.array(push)
-        ear = find_feature(load_cascades()["front_ear"], *shown(name, "face_front"), start, Pose(iod, 0.0, side == "R"))
+        ear = find_feature(
+            load_cascades()["front_ear"], *shown(name, "face_front"), start, FeaturePose(iod, 0.0, side == "R")
+        )
         assert np.linalg.norm(ear.points_px - true, axis=1).mean() < 0.08 * iod
         assert ear.error_iod.mean() < 0.10
 
@@ -55,7 +57,7 @@ def test_side_features_are_found_from_where_a_profile_would_guess_them(name, fea
     for way in ([0.8, -0.6], [-0.8, 0.6]):
         start = true.mean(axis=0) + push * iod * np.array(way)
         found = find_feature(load_cascades()[feature], *shown(name, "face_side", photos), start,
-                             Pose(iod, 0.0, side == "R"))  # fmt: skip
+                             FeaturePose(iod, 0.0, side == "R"))  # fmt: skip
         assert np.linalg.norm(found.points_px - true, axis=1).mean() < reached * iod
 
 
@@ -70,7 +72,7 @@ def test_nose_and_chin_of_both_halves_are_found_where_the_net_errs_by_a_twentiet
     for way in ([0.03, 0.03], [-0.03, -0.03]):
         told: dict[str, list[np.ndarray]] = {}
         for side in "LR":
-            pose, names = Pose(iod, -tilt if side == "R" else tilt, side == "R"), sided(feature, side)
+            pose, names = FeaturePose(iod, -tilt if side == "R" else tilt, side == "R"), side_names(feature, side)
             start = np.mean([known[n] for n in names], axis=0) + iod * np.array(way)
             found = find_feature(load_cascades()[feature], *picture, start, pose)
             for n, place in zip(names, found.points_px, strict=False):
@@ -84,9 +86,9 @@ def test_a_mirrored_photo_gives_the_other_ear():
     rgb, mask = shown("anna", "face_front")
     start, last = np.mean([known[f"{n}_L"] for n in FEATURES["front_ear"]], axis=0), rgb.shape[1] - 1
     cascade = load_cascades()["front_ear"]
-    left = find_feature(cascade, rgb, mask, start, Pose(iod, 0.1, False))
+    left = find_feature(cascade, rgb, mask, start, FeaturePose(iod, 0.1, False))
     flipped = [np.ascontiguousarray(image[:, ::-1]) for image in (rgb, mask)]
-    right = find_feature(cascade, *flipped, np.array([last - start[0], start[1]]), Pose(iod, 0.1, True))
+    right = find_feature(cascade, *flipped, np.array([last - start[0], start[1]]), FeaturePose(iod, 0.1, True))
     assert np.column_stack([last - right.points_px[:, 0], right.points_px[:, 1]]) == pytest.approx(
         left.points_px, abs=0.03 * iod
     )
@@ -98,12 +100,12 @@ def test_a_tilted_photo_gives_the_same_ear_tilted():
     rgb, mask = shown("boris", "face_side")
     start = np.mean([known[f"{n}_{side}"] for n in FEATURES["side_ear"]], axis=0)
     cascade = load_cascades()["side_ear"]
-    upright = find_feature(cascade, rgb, mask, start, Pose(iod, 0.0, side == "R"))
+    upright = find_feature(cascade, rgb, mask, start, FeaturePose(iod, 0.0, side == "R"))
     clockwise = cv2.getRotationMatrix2D(start.tolist(), -20.0, 1.0)
     size = rgb.shape[1::-1]
     turned = [cv2.warpAffine(i, clockwise, size, borderMode=cv2.BORDER_REPLICATE) for i in (rgb, mask)]
     tilt = np.radians(-20.0 if side == "R" else 20.0)
-    tilted = find_feature(cascade, turned[0], turned[1], start, Pose(iod, float(tilt), side == "R"))
+    tilted = find_feature(cascade, turned[0], turned[1], start, FeaturePose(iod, float(tilt), side == "R"))
     expected = upright.points_px @ clockwise[:, :2].T + clockwise[:, 2]
     assert np.linalg.norm(tilted.points_px - expected, axis=1).max() < 0.05 * iod
 
@@ -112,7 +114,7 @@ def test_where_no_ear_is_none_is_believed():
     rng = np.random.default_rng(3)
     rgb = cv2.GaussianBlur(rng.integers(0, 255, (600, 500, 3)).astype(np.uint8), (0, 0), 3.0)
     mask = np.full(rgb.shape[:2], 255, np.uint8)
-    ear = find_feature(load_cascades()["side_ear"], rgb, mask, np.array([250.0, 300.0]), Pose(120.0, 0.0, False))
+    ear = find_feature(load_cascades()["side_ear"], rgb, mask, np.array([250.0, 300.0]), FeaturePose(120.0, 0.0, False))
     assert ear.error_iod.min() > 0.10
 
 

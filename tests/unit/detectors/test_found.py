@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.detectors.face import found
-from cloner.detectors.face.found import face_behind_hair, skin_share
+from cloner.detectors.face.found import frontal_face_behind_hair, skin_share
 from cloner.detectors.nets.results import FaceResult
 from cloner.frames import ViewId
 from cloner.records.labels import Label
@@ -44,7 +44,7 @@ def guessed(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_face_below_a_fringe_is_found_with_the_least_presence_that_counts() -> None:
-    face = face_behind_hair(photo(), pose(), labels(40))
+    face = frontal_face_behind_hair(photo(), pose(), labels(40))
     assert face is not None
     assert face[2] == found.LEAST_PRESENCE
     assert face[0].shape == (468, 2)
@@ -60,7 +60,7 @@ def test_a_face_below_a_fringe_is_found_with_the_least_presence_that_counts() ->
     ],
 )
 def test_backs_and_profiles_have_none(view: ViewId, points: np.ndarray, seen: int) -> None:
-    assert face_behind_hair(photo(view), points, labels(seen)) is None
+    assert frontal_face_behind_hair(photo(view), points, labels(seen)) is None
 
 
 def test_skin_is_counted_inside_the_mesh() -> None:

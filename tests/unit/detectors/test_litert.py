@@ -12,7 +12,7 @@ from skimage import data
 from cloner.detectors.nets import litert
 from cloner.detectors.nets.litert import detect_face, detect_pose
 from cloner.detectors.nets.people import detect_people, pose_in_mask
-from cloner.detectors.nets.placing import has_face, lies_in, same_body, same_crop, same_place
+from cloner.detectors.nets.placing import has_face, is_within, overlap_enough, same_body, same_crop
 from cloner.detectors.nets.results import POSE_NAMES, Box
 from cloner.vision.photographs.crops import Crop
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
@@ -86,7 +86,7 @@ def test_what_is_no_face_does_not_hide_a_smaller_one(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(litert, "find_faces", lambda rgb, least: [*faces(rgb, least), no_face])
     found = detect_face(rgb)
     assert found is not None
-    assert same_place(found.box, faces(rgb, 0.3)[0], 0.3)
+    assert overlap_enough(found.box, faces(rgb, 0.3)[0], 0.3)
 
 
 def test_backs_and_empty_pictures_have_no_face() -> None:
@@ -162,10 +162,10 @@ def test_a_head_whose_shoulders_were_taken_for_its_chin_is_no_second_person():
 
 def test_a_skirt_that_looks_like_somebody_lies_in_its_wearer() -> None:
     wearer, skirt = body(100, 300), replace(body(250, 400), right_px=600.0, top_px=700.0)
-    assert lies_in(skirt, wearer)
-    assert not lies_in(wearer, skirt)
-    assert not lies_in(replace(skirt, right_px=800.0), wearer)  # a third of it beside
-    assert not lies_in(wearer, wearer)
+    assert is_within(skirt, wearer)
+    assert not is_within(wearer, skirt)
+    assert not is_within(replace(skirt, right_px=800.0), wearer)  # a third of it beside
+    assert not is_within(wearer, wearer)
     face = Box("face", 370.0, 160.0, 430.0, 240.0, 0.9, np.zeros((6, 2)))
     assert has_face(skirt, [face])
     assert not has_face(wearer, [face])

@@ -7,7 +7,7 @@ import pytest
 
 from cloner.detectors.nets import people as nets
 from cloner.detectors.nets.litert import detect_pose
-from cloner.detectors.nets.people import detect_people, pose_with_room
+from cloner.detectors.nets.people import detect_people, padded_pose
 from cloner.detectors.nets.portraits import is_cut_below
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -65,7 +65,7 @@ def cut_at_the_crown(facing):
 
 def test_a_head_that_is_cut_above_is_seen_with_room():
     picture, tip_px = cut_at_the_crown(1)
-    pose = pose_with_room(picture)
+    pose = padded_pose(picture)
     assert pose is not None
     assert np.hypot(*(pose.points_px[0] - tip_px)) < 30, "the nose is hinted within a tenth of the head"
     assert pose.mask.shape == picture.shape[:2]
@@ -75,8 +75,8 @@ def test_a_head_that_is_cut_above_is_seen_with_room():
 
 
 def test_room_finds_nobody_on_a_wall_nor_below_a_free_crown():
-    assert pose_with_room(np.full((600, 450, 3), WALL, np.uint8)) is None
-    assert pose_with_room(profile(1)[0]) is None
+    assert padded_pose(np.full((600, 450, 3), WALL, np.uint8)) is None
+    assert padded_pose(profile(1)[0]) is None
 
 
 @pytest.mark.parametrize("view", [ViewId.FACE_SIDE, ViewId.FACE_FRONT])

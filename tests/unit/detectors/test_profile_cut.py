@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 
 from cloner.detectors.face.face_net import load_face_net
-from cloner.detectors.face.profile_cut import wall_before
-from cloner.detectors.face.profile_fit import Laid
+from cloner.detectors.face.profile_cut import wall_before_profile
+from cloner.detectors.face.profile_fit import FittedProfile
 from cloner.frames import ViewId
 from cloner.project.folder import load_photo
 from cloner.stages.proposals import propose
@@ -32,8 +32,8 @@ def scene(before):
     strip &= 1 - face
     rgb[strip > 0] = before
     rgb = np.clip(rgb + np.random.default_rng(0).normal(0.0, 2.0, rgb.shape), 0, 255).astype(np.uint8)
-    laid = Laid(px_from_m, np.zeros(len(model.modes)), 0.1, np.eye(4 + len(model.modes)))
-    return 255 * (face | strip), strip > 0, wall_before(rgb, 255 * (face | strip), model, laid)
+    laid = FittedProfile(px_from_m, np.zeros(len(model.modes)), 0.1, np.eye(4 + len(model.modes)))
+    return 255 * (face | strip), strip > 0, wall_before_profile(rgb, 255 * (face | strip), model, laid)
 
 
 def test_wall_is_cut_and_hair_stays():

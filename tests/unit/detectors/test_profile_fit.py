@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cloner.detectors.face.face_net import load_face_net
-from cloner.detectors.face.face_side import doubt_of, find_side_face
+from cloner.detectors.face.face_side import find_side_face, missing_edge_share
 from cloner.detectors.face.profile_judge import face_share, features, load_judge
 from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import ViewId
@@ -161,9 +161,9 @@ def test_a_profile_without_an_edge_in_the_photo_is_doubted():
     sitter = Sitter(10)
     found = find_side_face(sitter.proposal(), sitter.model)
     shown = np.where(sitter.mask[..., None] > 127, 170, 90).astype(np.uint8).repeat(3, axis=2)
-    assert doubt_of(shown, sitter.model, found.laid) == 0.0
+    assert missing_edge_share(shown, sitter.model, found.laid) == 0.0
     blurred = cv2.GaussianBlur(shown, (0, 0), 25.0)  # what a mask that follows a soft shadow sees
-    assert doubt_of(blurred, sitter.model, found.laid) > 0.9
+    assert missing_edge_share(blurred, sitter.model, found.laid) > 0.9
 
 
 def test_without_hints_the_profile_is_sought_everywhere():

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from cloner.detectors.taught import errors_of
+from cloner.detectors.taught import errors_in_view
 from cloner.editing.order import worth_first
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, confidence_of, face_confidence
 
 
 def face(view=ViewId.FACE_FRONT, unsure=(), placed=()):
-    errors = errors_of(view)
+    errors = errors_in_view(view)
     expected = np.array([0.3 if name in unsure else 0.03 for name in errors.names])
     fixed = np.array([name in placed for name in errors.names])
     return ViewPoints(view, errors.names, 500.0 + 100.0 * errors.layout_iod, face_confidence(expected), fixed)

@@ -11,7 +11,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.deformation.completion import bring_along, complete_points
 from cloner.records.photos import Photo
 from cloner.records.points import Correction, ViewPoints
-from cloner.stages.points import corrected
+from cloner.stages.points import apply_corrections
 
 FACE = {
     "eye_outer_R": (-45, 0), "eye_upper_R": (-33, -5), "eye_lower_R": (-33, 5), "eye_inner_R": (-20, 1),
@@ -72,7 +72,7 @@ def test_corrections_of_a_face_take_neighbours_with_them_but_do_not_fix_them():
     photo = Photo(ViewId.FACE_FRONT, np.zeros((1000, 800, 3), np.uint8), None, "", "face_front.jpg")
     points = ViewPoints(ViewId.FACE_FRONT, NAMES, px, np.full(len(NAMES), 0.7), np.zeros(len(NAMES), dtype=bool))
     goal = px[ROWS["eye_outer_L"]] + [20.0, 0.0]
-    out = corrected(points, {"eye_outer_L": Correction(*goal)}, photo)
+    out = apply_corrections(points, {"eye_outer_L": Correction(*goal)}, photo)
     assert out.get("eye_outer_L") == pytest.approx(goal)
     assert out.get("eye_upper_L")[0] > px[ROWS["eye_upper_L"], 0] + 4.0
     assert out.corrected.sum() == 1

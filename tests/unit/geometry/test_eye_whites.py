@@ -12,7 +12,7 @@ from cloner.geometry.charts.iris import EYE_CORNERS, skin_around_eyes, white_to_
 from cloner.records.heads import HeadFit
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
-from cloner.stages.textures import shown_eyes
+from cloner.stages.textures import observed_eye_colours
 from cloner.vision.retouching.painting import paint_eye
 from kit import studio
 
@@ -63,7 +63,7 @@ def test_an_iris_is_as_dark_beside_the_skin_of_the_atlas_as_beside_that_of_its_p
     for shown in (rgb, bright):
         head = HeadFit(np.zeros((1, 3)), {}, shown[PUPILS[0][1], PUPILS[0][0]].astype(float), 0.0058, "right")
         photos, proposals = studio.photo_set({"face_front": shown}), Proposals({"face_front": proposal})
-        painted.append(shown_eyes(photos, proposals, head, np.array(SKIN, float))[1])
+        painted.append(observed_eye_colours(photos, proposals, head, np.array(SKIN, float))[1])
     assert painted[0] == pytest.approx(IRIS)
     assert painted[1] == pytest.approx(IRIS, rel=0.05), "twice as much light in the photo makes no lighter eyes"
 

@@ -7,7 +7,7 @@ import pytest
 
 from cloner.geometry.cameras.tripods import STAND_NAMES, placed_camera, projected, stand_of
 from cloner.records.views import Camera
-from cloner.stages.views import heading, pitched
+from cloner.stages.views import level_rotation, pitch_rotation
 from kit import studio
 
 LIKE = Camera(1200, 1800, 3100.0, np.eye(4))
@@ -46,7 +46,7 @@ def test_a_stand_is_the_one_of_its_camera():
 
 def test_headings_agree_with_the_first_cameras():
     camera = placed_camera(stand(azimuth=0.4, height=1.0, distance=3.0, pitch=0.2), LIKE)
-    assert camera.camera_from_model[:3, :3] == pytest.approx(pitched(heading(0.4), 0.2))
+    assert camera.camera_from_model[:3, :3] == pytest.approx(pitch_rotation(level_rotation(0.4), 0.2))
 
 
 @pytest.mark.parametrize("pixels_per_m", [None, 900.0])

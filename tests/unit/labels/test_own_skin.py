@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.generic.seen_points import NAMES
-from cloner.labels.own_skin import without_strange_skin
+from cloner.labels.own_skin import relabel_foreign_skin
 from cloner.records.labels import Label
 
 HEIGHT, WIDTH = 300, 120
@@ -33,7 +33,7 @@ def _figure(legs: tuple[int, int, int]) -> tuple[np.ndarray, np.ndarray, np.ndar
 @pytest.mark.parametrize("faced", [True, False])
 def test_dark_tights_labelled_as_skin_are_the_lower_clothes(faced):
     rgb, labels, seen = _figure(TIGHTS)
-    found = without_strange_skin(rgb, labels, seen, faced=faced)
+    found = relabel_foreign_skin(rgb, labels, seen, faced=faced)
     assert (found[170:210, 40:80] == Label.LOWER_CLOTHES).all()
     rest = np.ones(labels.shape, bool)
     rest[170:210, 40:80] = False
@@ -43,12 +43,12 @@ def test_dark_tights_labelled_as_skin_are_the_lower_clothes(faced):
 @pytest.mark.parametrize("legs", [SKIN, SHADE])
 def test_bare_legs_stay_bare_in_shade_too(legs):
     rgb, labels, seen = _figure(legs)
-    assert np.array_equal(without_strange_skin(rgb, labels, seen, faced=True), labels)
+    assert np.array_equal(relabel_foreign_skin(rgb, labels, seen, faced=True), labels)
 
 
 def test_without_hands_and_face_nothing_is_known():
     rgb, labels, seen = _figure(TIGHTS)
     labels[150:170, 15:35] = labels[150:170, 85:105] = Label.UPPER_CLOTHES  # gloves
-    assert np.array_equal(without_strange_skin(rgb, labels, seen, faced=False), labels)
+    assert np.array_equal(relabel_foreign_skin(rgb, labels, seen, faced=False), labels)
     nobody = np.zeros_like(labels)
-    assert np.array_equal(without_strange_skin(rgb, nobody, seen, faced=True), nobody)
+    assert np.array_equal(relabel_foreign_skin(rgb, nobody, seen, faced=True), nobody)

@@ -9,7 +9,7 @@ import pytest
 
 from cloner.detectors.nets.litert import detect_face, detect_pose, label_features
 from cloner.frames import ViewId
-from cloner.labels.looks import look
+from cloner.labels.looks import label_evidence
 from cloner.labels.photo import label_photo
 from cloner.records.labels import CLOTHES, Label, shows
 from cloner.vision.segmentation.masks import refine_mask
@@ -24,7 +24,7 @@ def labels(name: str, set_name: str, view: str) -> np.ndarray:
     mask = refine_mask(rgb, pose.mask, pose.points_px if view.startswith("body") else None) > 0.5
     face = detect_face(rgb) if view.endswith("front") else None
     points = None if face is None else face.points_px
-    looks = look(rgb, mask, ViewId(view), label_features, face_points=points, pose_points=pose.points_px)
+    looks = label_evidence(rgb, mask, ViewId(view), label_features, face_points=points, pose_points=pose.points_px)
     found, sure = label_photo(rgb, mask, looks, points)
     assert ((found > 0) == mask).all()
     assert sure.shape == found.shape
@@ -74,7 +74,7 @@ def test_the_net_tells_the_person_from_the_room() -> None:
     rgb = photo("anna", "booth", "face_side").rgb
     pose = detect_pose(rgb)
     assert pose is not None
-    looks = look(rgb, pose.mask > 0.5, ViewId.FACE_SIDE, label_features, pose_points=pose.points_px)
+    looks = label_evidence(rgb, pose.mask > 0.5, ViewId.FACE_SIDE, label_features, pose_points=pose.points_px)
     found = looks.person(rgb.shape[:2]) > 0.5
     true = truth_mask("anna", "booth", "face_side")
     assert (found & true).sum() / (found | true).sum() > 0.93  # crops of 256 px: 6 px of the photo each

@@ -7,7 +7,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.generic.seen_points import NAMES, kind_and_side
-from cloner.labels.points import points_seen
+from cloner.labels.points import locate_points
 from cloner.vision.photographs.crops import Crop
 
 #: A crop of 512 px around (300, 400): one cell of a map is 8 px of the photo.
@@ -34,7 +34,7 @@ def px(column: float, row: float) -> tuple[float, float]:
 
 @pytest.mark.parametrize("view", [ViewId.BODY_FRONT, ViewId.BODY_SIDE])
 def test_points_lie_between_cells(view: ViewId) -> None:
-    found = points_seen(maps(l_hip=(36.25, 30.5), r_hip=(27.0, 30.75)), CROP, view)
+    found = locate_points(maps(l_hip=(36.25, 30.5), r_hip=(27.0, 30.75)), CROP, view)
     assert found.shape == (len(NAMES), 2)
     np.testing.assert_allclose(found[LEFT], px(36.25, 30.5), atol=0.3)
     np.testing.assert_allclose(found[RIGHT], px(27.0, 30.75), atol=0.3)
@@ -45,13 +45,13 @@ def test_points_lie_between_cells(view: ViewId) -> None:
 def test_what_lies_on_the_left_is_left_whatever_the_net_says(view: ViewId, left: float) -> None:
     right = 36.25 + 27.0 - left
     exchanged = maps(l_hip=(right, 30.5), r_hip=(left, 30.5))
-    found = points_seen(exchanged, CROP, view)
+    found = locate_points(exchanged, CROP, view)
     np.testing.assert_allclose(found[LEFT], px(left, 30.5), atol=0.3)
     np.testing.assert_allclose(found[RIGHT], px(right, 30.5), atol=0.3)
 
 
 def test_a_side_photo_leaves_left_and_right_to_the_net() -> None:
-    found = points_seen(maps(l_hip=(27.0, 30.5), r_hip=(36.25, 30.5)), CROP, ViewId.BODY_SIDE)
+    found = locate_points(maps(l_hip=(27.0, 30.5), r_hip=(36.25, 30.5)), CROP, ViewId.BODY_SIDE)
     np.testing.assert_allclose(found[LEFT], px(27.0, 30.5), atol=0.3)
 
 
@@ -59,7 +59,7 @@ def test_maps_that_hold_both_sides_give_one_point_each() -> None:
     both = maps(l_hip=(36.25, 30.5), r_hip=(27.0, 30.5))
     torn = both.copy()
     torn[LEFT] = np.logaddexp(both[LEFT] + np.log(0.4), both[RIGHT] + np.log(0.6))
-    found = points_seen(torn, CROP, ViewId.BODY_FRONT)
+    found = locate_points(torn, CROP, ViewId.BODY_FRONT)
     np.testing.assert_allclose(found[LEFT], px(36.25, 30.5), atol=0.3)
     np.testing.assert_allclose(found[RIGHT], px(27.0, 30.5), atol=0.3)
 

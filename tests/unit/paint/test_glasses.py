@@ -11,7 +11,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.labels.glasses import frame_of, wears_glasses
+from cloner.labels.glasses import glasses_frame, wears_glasses
 from cloner.paint.details.glasses import BAND_PX, glasses_shell
 from cloner.paint.lookups.prepared import without_glasses
 from cloner.records.bodies import PosedView
@@ -70,7 +70,7 @@ def portrait(*, cap: bool = False):
 def test_the_frame_is_found_and_a_cap_is_none_of_it(cap):
     photo, proposal, _, _ = portrait(cap=cap)
     drawn = (photo.rgb == FRAME).all(axis=2)
-    assert (frame_of(proposal) == drawn).all()
+    assert (glasses_frame(proposal) == drawn).all()
 
 
 def test_who_wears_a_cap_alone_wears_no_glasses():

@@ -26,7 +26,7 @@ from cloner.report.build import Run, build_report
 from cloner.report.page import page
 from cloner.report.weak import grouped, is_grey, weaknesses
 from cloner.report.write import write_page, write_report
-from cloner.stages.measures import measured, unseen
+from cloner.stages.measures import estimate_measures, measures_of_mesh
 from cloner.vision.retouching.open_mouth import INNER_LIPS
 from kit.clones import toy_clone
 
@@ -53,7 +53,7 @@ def values(clone: Clone) -> dict[str, object]:
     person = Person("toy", "<b>Tö & y</b>", 1.70, False, "", (("waist_girth", 712.0),))
     covers = {f"{side}_forearm": Cover((False,) * 8, 0.9) for side in ("left", "right")}
     shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
-    measures, _ = measured({**shown, "waist_girth": 760.0}, person, covers)
+    measures, _ = estimate_measures({**shown, "waist_girth": 760.0}, person, covers)
     head = HeadFit(np.zeros((1, 3)), {}, np.zeros(3), 0.006, "")
     return {
         "person": person,
@@ -158,7 +158,9 @@ def test_every_measure_is_told_with_its_uncertainty_and_in_plain_words(report: d
 
 def test_without_a_body_photo_measures_are_said_to_be_generic(values: dict, run: Run, clone: Clone) -> None:
     shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
-    report = build_report({**values, "obeyed_silhouettes": SilhouetteSet({}), "measures": unseen(shown)}, run, {})
+    report = build_report(
+        {**values, "obeyed_silhouettes": SilhouetteSet({}), "measures": measures_of_mesh(shown)}, run, {}
+    )
     assert report["measures_mm"]["measured"] is False
     assert "generic" in report["measures_mm"]["note"]
     assert all(measure["plus_minus"] is None for measure in report["measures_mm"]["values"].values())

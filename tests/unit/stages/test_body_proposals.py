@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cloner.body.bone_checks import check_bones
-from cloner.detectors.body.pose_order import from_mirror, read_again
+from cloner.detectors.body.pose_order import mirrored_pose, pose_by_mirror
 from cloner.detectors.nets import pose_rows as net
 from cloner.detectors.nets.results import PoseResult
 from cloner.errors import ClonerError
@@ -15,7 +15,7 @@ from cloner.frames import ViewId
 from cloner.records.labels import Label
 from cloner.records.points import PhotoState, Proposals, StateKind, ViewPoints, confidence_of, expected_error
 from cloner.stages.photo_checks import check_photos
-from cloner.stages.points import body_proposals, told
+from cloner.stages.points import body_proposals, point_warnings
 from kit import net as known_net
 from kit import people, studio
 
@@ -62,7 +62,7 @@ def test_bones_of_one_length_are_left_alone():
 
 def test_a_good_photo_has_nothing_to_tell(shown):
     body = body_proposals(Proposals({v: known_net.proposal(v.value, *shown[v]) for v in shown}))
-    assert told(body) == ()
+    assert point_warnings(body) == ()
 
 
 def test_a_skirt_is_a_state_and_its_outline_no_body_point(shown):
@@ -81,13 +81,15 @@ def test_a_skirt_is_a_state_and_its_outline_no_body_point(shown):
         for name in ("hip_left", "hip_right"):
             if name in points.names:
                 assert points.confidence[points.names.index(name)] < 0.15, (view, name)
-    assert not any("thighs" in sentence for sentence in told(body)), "a skirt is no reason to retake the photo"
+    assert not any("thighs" in sentence for sentence in point_warnings(body)), (
+        "a skirt is no reason to retake the photo"
+    )
 
 
 def test_states_are_told_with_the_photo_s_name():
     state = PhotoState(StateKind.CUT, "", "the picture's bottom border cuts the person; step back")
     points = ViewPoints(SIDE, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, bool), states=(state,))
-    assert told({SIDE: points}) == ("body_side: the picture's bottom border cuts the person; step back",)
+    assert point_warnings({SIDE: points}) == ("body_side: the picture's bottom border cuts the person; step back",)
 
 
 @pytest.mark.parametrize(
@@ -122,11 +124,11 @@ def test_a_back_read_as_a_front_is_read_again_in_the_mirror(shown, right_in_mirr
     for left_row, right_row in net.TWINS:
         swapped[[left_row, right_row]] = right.points_px[[right_row, left_row]]
     wrong = replace(right, points_px=swapped)
-    in_mirror = from_mirror(right if right_in_mirror else wrong, width)
+    in_mirror = mirrored_pose(right if right_in_mirror else wrong, width)
 
-    found = read_again(rgb, BACK, wrong, lambda _: in_mirror)
+    found = pose_by_mirror(rgb, BACK, wrong, lambda _: in_mirror)
     want = right if right_in_mirror else wrong
     assert found.points_px == pytest.approx(want.points_px)
     assert found.visibility == pytest.approx(want.visibility)
     assert np.array_equal(found.mask, want.mask)
-    assert read_again(rgb, BACK, right, lambda _: wrong) is right
+    assert pose_by_mirror(rgb, BACK, right, lambda _: wrong) is right

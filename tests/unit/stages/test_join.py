@@ -83,7 +83,7 @@ def test_the_joints_of_head_and_neck_rise_with_their_skin_and_no_others(generic,
 
 def test_raising_the_model_and_its_camera_keeps_the_picture(body):
     camera = studio.camera(30.0)
-    raised = join.lifted(camera, 0.025)
+    raised = join.lift_camera(camera, 0.025)
     before = camera.project(body.vertices_m)
     np.testing.assert_allclose(raised.project(body.vertices_m + [0.0, 0.025, 0.0]), before, atol=1e-6)
     assert raised.position_m - camera.position_m == pytest.approx([0.0, 0.025, 0.0])

@@ -8,20 +8,20 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cloner.detectors.nets.placing import stands
+from cloner.detectors.nets.placing import is_upright
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.labels.looks import Looks
-from cloner.labels.looks import look as whole_look
+from cloner.labels.looks import LabelEvidence
+from cloner.labels.looks import label_evidence as whole_look
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Corrections, Proposals, ViewPoints
 from cloner.stages import figures, photo_checks, points
-from cloner.stages.figures import NobodySeen, nobody_in
+from cloner.stages.figures import NobodySeen, nobody_seen
 from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.stages.photo_checks import check_photos, front_odds, profile_odds, side_odds
-from cloner.stages.proposals import HIDDEN, propose, settle_hidden
+from cloner.stages.proposals import HIDDEN, propose, resolve_hidden
 from kit import studio
 from kit.visitors import photo
 
@@ -94,8 +94,8 @@ def test_shoulders_alone_do_not_turn_a_front_photo():
 
 def test_a_body_upside_down_is_a_pattern():
     keys = np.array([[50.0, 60.0], [50.0, 10.0], [50.0, 30.0], [50.0, 15.0]])
-    assert stands(Box("person", 0, 0, 100, 120, 0.6, keys))
-    assert not stands(Box("person", 0, 0, 100, 120, 0.6, keys[[1, 0, 3, 2]]))
+    assert is_upright(Box("person", 0, 0, 100, 120, 0.6, keys))
+    assert not is_upright(Box("person", 0, 0, 100, 120, 0.6, keys[[1, 0, 3, 2]]))
 
 
 def portrait(colour, wall=(90, 140, 190)):
@@ -121,7 +121,7 @@ def test_a_portrait_in_the_person_s_colours_is_the_person():
 def _seeing(monkeypatch, soft):
     """Let the label net see a person of these probabilities."""
 
-    class Seen(Looks):
+    class Seen(LabelEvidence):
         def person(self, shape):
             return soft
 
@@ -142,8 +142,8 @@ def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch,
     soft[:40] = np.where(inside[:40], 1.0, 0.0)
     _seeing(monkeypatch, soft)
     known = {FACE: studio.empty_proposal(FACE, mask)}
-    unseen = {FACE_SIDE: nobody_in(pictures.photos[FACE_SIDE])}
-    found = settle_hidden(pictures, known, unseen)
+    unseen = {FACE_SIDE: nobody_seen(pictures.photos[FACE_SIDE])}
+    found = resolve_hidden(pictures, known, unseen)
     assert (FACE_SIDE in found.views) is kept
     assert dict(found.left_out) == ({} if kept else {FACE_SIDE: HIDDEN})
     check_photos(found, pictures)  # an unseen pose is no reason to refuse
@@ -156,14 +156,14 @@ def test_a_face_behind_hair_is_left_out_beside_the_front_of_the_body_and_refused
     other = FRONT if body else FACE_SIDE
     pictures = studio.photo_set({other: front, FACE: portrait(hair, wall=(200, 200, 190))[0]})
     _seeing(monkeypatch, mask.astype(np.float32))
-    known, unseen = {other: studio.empty_proposal(other, mask)}, {FACE: nobody_in(pictures.photos[FACE])}
+    known, unseen = {other: studio.empty_proposal(other, mask)}, {FACE: nobody_seen(pictures.photos[FACE])}
     if body:
-        found = settle_hidden(pictures, known, unseen)
+        found = resolve_hidden(pictures, known, unseen)
         assert set(found.views) == {FRONT}
         assert dict(found.left_out) == {FACE: HIDDEN}
     else:
         with pytest.raises(NobodySeen):
-            settle_hidden(pictures, known, unseen)
+            resolve_hidden(pictures, known, unseen)
 
 
 def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face_refused():
@@ -172,15 +172,15 @@ def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face
     bare[bare == Label.FACE_SKIN] = Label.HAIR
     hair = replace(proposal, view=FACE_SIDE, labels=bare)
     beside = PhotoSet({FACE: given, FACE_SIDE: replace(given, view=FACE_SIDE)})
-    found = settle_hidden(beside, {FACE: proposal, FACE_SIDE: hair}, {})
+    found = resolve_hidden(beside, {FACE: proposal, FACE_SIDE: hair}, {})
     assert dict(found.left_out) == {FACE_SIDE: HIDDEN}
     assert set(found.views) == {FACE}
     shoulder = bare.copy()
     shoulder[-40:][bare[-40:] == Label.HAIR] = Label.FACE_SKIN
     grey = replace(given, view=FACE_SIDE, rgb=np.full_like(given.rgb, 128))  # in which nobody sees a face
     alone = PhotoSet({FACE: given, FACE_SIDE: grey})
-    assert FACE_SIDE in settle_hidden(alone, {FACE: proposal, FACE_SIDE: replace(hair, labels=shoulder)}, {}).left_out
-    with_face = settle_hidden(beside, {FACE: proposal, FACE_SIDE: replace(proposal, view=FACE_SIDE)}, {})
+    assert FACE_SIDE in resolve_hidden(alone, {FACE: proposal, FACE_SIDE: replace(hair, labels=shoulder)}, {}).left_out
+    with_face = resolve_hidden(beside, {FACE: proposal, FACE_SIDE: replace(proposal, view=FACE_SIDE)}, {})
     with pytest.raises(ClonerError, match="not from the side"):
         check_photos(with_face, beside)
 
@@ -192,12 +192,12 @@ def test_somebody_standing_whom_only_the_label_net_sees_is_left_out(monkeypatch,
     soft = np.zeros((160, 120), np.float32)
     soft[20:140, 60 - broad // 2 : 60 + broad // 2] = 1.0
     _seeing(monkeypatch, soft)
-    known, unseen = {FACE: studio.empty_proposal(FACE, mask)}, {SIDE: nobody_in(pictures.photos[SIDE])}
+    known, unseen = {FACE: studio.empty_proposal(FACE, mask)}, {SIDE: nobody_seen(pictures.photos[SIDE])}
     if stands:
-        assert dict(settle_hidden(pictures, known, unseen).left_out) == {SIDE: HIDDEN}
+        assert dict(resolve_hidden(pictures, known, unseen).left_out) == {SIDE: HIDDEN}
     else:
         with pytest.raises(NobodySeen):
-            settle_hidden(pictures, known, unseen)
+            resolve_hidden(pictures, known, unseen)
 
 
 @pytest.mark.parametrize("sure", [True, False])
@@ -248,10 +248,10 @@ def test_somebody_whom_the_pose_net_sees_to_the_shins_is_looked_at_whole(monkeyp
 def test_a_face_beside_its_hair_is_a_profile_whatever_the_pose_net_reads(monkeypatch):
     proposal, given = seen(FACE_SIDE)
     front, _ = seen(FACE)
-    assert photo_checks.face_aside(proposal) > 0.2
-    assert photo_checks.face_aside(front) < 0.1
+    assert photo_checks.face_offset_in_head(proposal) > 0.2
+    assert photo_checks.face_offset_in_head(front) < 0.1
     bald = np.where(proposal.labels == Label.HAIR, Label.FACE_SKIN, proposal.labels).astype(np.uint8)
-    assert photo_checks.face_aside(replace(proposal, labels=bald)) == 0.0
+    assert photo_checks.face_offset_in_head(replace(proposal, labels=bald)) == 0.0
     monkeypatch.setattr(photo_checks, "_outline_odds", lambda proposal: -2.0)  # a beard has no profile
     misread = replace(proposal, pose_px=front.pose_px)
     assert photo_checks.profile_odds(misread) < -2.0
@@ -261,15 +261,15 @@ def test_a_face_beside_its_hair_is_a_profile_whatever_the_pose_net_reads(monkeyp
 
 def test_the_pose_of_a_head_counts_less_where_hair_hides_the_face():
     proposal, given = seen(FACE_SIDE)
-    assert photo_checks.belief_in_pose(proposal) == pytest.approx(1.0)
+    assert photo_checks.pose_reliability(proposal) == pytest.approx(1.0)
     covered = proposal.labels.copy()
     covered[covered == Label.FACE_SKIN] = Label.HAIR
-    assert photo_checks.belief_in_pose(replace(proposal, labels=covered)) == photo_checks.LEAST_BELIEF
+    assert photo_checks.pose_reliability(replace(proposal, labels=covered)) == photo_checks.LEAST_BELIEF
     half = proposal.labels.copy()
     head = int(np.isin(half, (Label.FACE_SKIN, Label.HAIR, Label.ACCESSORY)).sum())
     skin = np.flatnonzero(half.ravel() == Label.FACE_SKIN)
     half.ravel()[skin[: skin.size - head // 8]] = Label.HAIR  # an eighth of the head is face
-    assert photo_checks.belief_in_pose(replace(proposal, labels=half)) == pytest.approx(0.125 / 0.2, abs=1e-3)
+    assert photo_checks.pose_reliability(replace(proposal, labels=half)) == pytest.approx(0.125 / 0.2, abs=1e-3)
     pose = proposal.pose_px.copy()
     pose[0] = pose[[7, 8]].mean(axis=0)  # a guessed nose between the ears
     guessed = replace(proposal, pose_px=pose, labels=covered)
@@ -282,14 +282,16 @@ def test_a_landscape_in_the_side_photo_s_place_is_refused():
     meadow = np.random.default_rng(0).integers((30, 110, 30), (70, 160, 60), (160, 120, 3)).astype(np.uint8)
     given = studio.photo_set({FACE: front, FACE_SIDE: meadow})
     with pytest.raises(NobodySeen, match="no person found"):
-        settle_hidden(given, {FACE: studio.empty_proposal(FACE, mask)}, {FACE_SIDE: nobody_in(given.photos[FACE_SIDE])})
+        resolve_hidden(
+            given, {FACE: studio.empty_proposal(FACE, mask)}, {FACE_SIDE: nobody_seen(given.photos[FACE_SIDE])}
+        )
     alone = studio.photo_set({FRONT: front})
     with pytest.raises(NobodySeen, match="no person found"):
-        settle_hidden(alone, {}, {FRONT: nobody_in(alone.photos[FRONT])})
+        resolve_hidden(alone, {}, {FRONT: nobody_seen(alone.photos[FRONT])})
 
 
 def test_the_refusal_survives_the_way_between_processes():
-    error = nobody_in(studio.photo_record(FACE_SIDE, np.zeros((4, 4, 3), np.uint8)))
+    error = nobody_seen(studio.photo_record(FACE_SIDE, np.zeros((4, 4, 3), np.uint8)))
     again = pickle.loads(pickle.dumps(error))
     assert isinstance(again, NobodySeen)
     assert str(again) == str(error)

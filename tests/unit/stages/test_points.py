@@ -54,7 +54,7 @@ def check(view, shoulders_px, **known):
 
 def test_a_correction_wins_and_the_rest_stays():
     before = proposed()
-    after = points.corrected(before, {"crotch": Correction(41.5, 63.25)}, PHOTOS.photos[FRONT])
+    after = points.apply_corrections(before, {"crotch": Correction(41.5, 63.25)}, PHOTOS.photos[FRONT])
     assert after.get("crotch") == pytest.approx([41.5, 63.25])
     assert after.get("waist_left") == pytest.approx([50.0, 45.0])
     assert after.confidence.tolist() == [1.0, 0.7]
@@ -63,7 +63,7 @@ def test_a_correction_wins_and_the_rest_stays():
 
 
 def test_a_correction_may_add_a_point_nobody_proposed():
-    after = points.corrected(proposed(), {"hip_left": Correction(55.0, 52.0)}, PHOTOS.photos[FRONT])
+    after = points.apply_corrections(proposed(), {"hip_left": Correction(55.0, 52.0)}, PHOTOS.photos[FRONT])
     assert after.names == ("crotch", "waist_left", "hip_left")
     assert after.get("hip_left") == pytest.approx([55.0, 52.0])
     assert after.corrected.tolist() == [False, False, True]
@@ -74,12 +74,14 @@ def standing(**moved):
     places = {"head_top": (40.0, 10.0), "sole_left": (45.0, 110.0), "sole_right": (35.0, 110.0), "l_knee": (44.0, 80.0)}
     places |= {"waist_left": (50.0, 45.0)}
     before = ViewPoints(FRONT, tuple(places), np.array(list(places.values())), np.full(5, 0.6), np.zeros(5, bool))
-    return before, points.corrected(before, {n: Correction(*place) for n, place in moved.items()}, PHOTOS.photos[FRONT])
+    return before, points.apply_corrections(
+        before, {n: Correction(*place) for n, place in moved.items()}, PHOTOS.photos[FRONT]
+    )
 
 
 def test_the_fit_takes_proposals_where_corrections_are_obeyed_later():
     before, after = standing(waist_left=(60.0, 45.0), l_knee=(46.0, 81.0), hip_left=(51.0, 60.0))
-    taken = points.for_fitting(after)
+    taken = points.points_for_fit(after)
     assert taken.names == before.names, "what nobody proposed moves no whole body"
     assert np.array_equal(taken.points_px, before.points_px)
     assert np.array_equal(taken.confidence, before.confidence)
@@ -88,20 +90,20 @@ def test_the_fit_takes_proposals_where_corrections_are_obeyed_later():
 
 def test_the_fit_takes_the_ends_and_joints_that_were_far_off():
     _, after = standing(head_top=(40.0, 12.0), l_knee=(49.0, 80.0))
-    taken = points.for_fitting(after)
+    taken = points.points_for_fit(after)
     assert taken.get("head_top") == pytest.approx([40.0, 12.0]), "it sets the scale"
     assert taken.get("l_knee") == pytest.approx([49.0, 80.0]), "5 % of the figure: the proposal was wrong"
     assert dict(zip(taken.names, taken.corrected, strict=True)) == {
         "head_top": True, "sole_left": False, "sole_right": False, "l_knee": True, "waist_left": False,
     }  # fmt: skip
-    astray = points.for_fitting(standing(waist_left=(60.0, 45.0))[1], ("waist_left",))
+    astray = points.points_for_fit(standing(waist_left=(60.0, 45.0))[1], ("waist_left",))
     assert astray.get("waist_left") == pytest.approx([60.0, 45.0]), "unless the outline itself was wrong there"
 
 
 @pytest.mark.parametrize("place", [(-1.0, 50.0), (40.0, -0.5), (WIDTH, 50.0), (40.0, HEIGHT + 7.0)])
 def test_a_correction_off_the_image_is_refused(place):
     with pytest.raises(ClonerError, match="crotch lies off the image") as caught:
-        points.corrected(proposed(), {"crotch": Correction(*place)}, PHOTOS.photos[FRONT])
+        points.apply_corrections(proposed(), {"crotch": Correction(*place)}, PHOTOS.photos[FRONT])
     assert caught.value.where == "body_front.png"
     assert "Drag it back" in caught.value.hint
 

@@ -119,5 +119,5 @@ def test_a_very_distant_camera_is_the_orthographic_one():
 
 
 def test_pitching_down_lowers_the_view_axis():
-    axis = views.pitched(views.heading(0.0), math.radians(10.0))[2]
+    axis = views.pitch_rotation(views.level_rotation(0.0), math.radians(10.0))[2]
     assert axis == pytest.approx([0.0, -math.sin(math.radians(10.0)), -math.cos(math.radians(10.0))])
