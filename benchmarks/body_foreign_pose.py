@@ -13,7 +13,7 @@ from cloner.evaluate.figures.skins import skin_triangles
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.poses import SIGMAS, pose_matrix
-from cloner.geometry.articulation.skinning import joint_transforms, rotation_matrices, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning, rotation_matrices
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
@@ -41,14 +41,18 @@ def rotations_by_surface(clone: Clone, generic: GenericHuman, truth: TruthSurfac
     spread, parents = pose_matrix(generic.joint_names), generic.joint_parents.astype(np.int32)
     joints, weights = generic.skin_joints[chosen], generic.skin_weights[chosen].astype(np.float64)
     tree = cKDTree(truth.points_m)
-    begun = skin(clone.vertices_m[chosen], joint_transforms(clone.joints_m, parents, start), joints, weights)
+    begun = linear_blend_skinning(
+        clone.vertices_m[chosen], joint_transforms(clone.joints_m, parents, start), joints, weights
+    )
     truth_from_clone = np.eye(4)
     truth_from_clone[:3, 3] = (np.ptp(truth.points_m, axis=0) - np.ptp(begun, axis=0)) / 2.0  # boxes' middles meet
     truth_from_clone[:3, 3] += truth.points_m.min(axis=0) - begun.min(axis=0)
 
     def moved(values: Array) -> Array:
         rotations = start + (spread @ values[6:]).reshape(-1, 3)
-        posed = skin(clone.vertices_m[chosen], joint_transforms(clone.joints_m, parents, rotations), joints, weights)
+        posed = linear_blend_skinning(
+            clone.vertices_m[chosen], joint_transforms(clone.joints_m, parents, rotations), joints, weights
+        )
         posed = posed @ truth_from_clone[:3, :3].T + truth_from_clone[:3, 3]
         return np.asarray(posed @ rotation_matrices(values[None, :3])[0].T + values[3:6])
 

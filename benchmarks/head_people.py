@@ -19,7 +19,7 @@ from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.frames import FILM_LONG_SIDE_MM, ViewId
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.views import Camera
 
@@ -107,7 +107,7 @@ def usual_way() -> Array:
     with np.load(place, allow_pickle=False) as archive:
         canonical = archive["vertices_cm"].astype(np.float64)
     places = load_face_net().places.at(generic.vertices_m.astype(np.float64))
-    scale, rotation, shift = similarity(canonical, places)
+    scale, rotation, shift = similarity_alignment(canonical, places)
     inner = np.abs(places[:, 0]) < RIM_M
     way = (scale * canonical @ rotation.T + shift - places)[inner]
     both = np.vstack([places[inner], places[inner] * [-1.0, 1.0, 1.0]])

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.cameras.viewpoints import framing_cameras
 from cloner.motion.captures.bvh import read_bvh
 from cloner.motion.captures.retarget import retarget
@@ -79,7 +79,7 @@ class Bending:
                 for place, (side, joint) in enumerate(places):
                     around = flesh(side, joint)
                     rows = around.rows
-                    posed = skin(points[rows], transforms, joints[rows], weights[rows])
+                    posed = linear_blend_skinning(points[rows], transforms, joints[rows], weights[rows])
                     found[row, place, frame] = around.volume(posed) / around.volume(self.clone.vertices_m[rows])
         return found
 

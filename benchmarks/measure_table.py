@@ -23,7 +23,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import FILE, load_measure_prior
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows
 from cloner.geometry.measurement.prior import LOWER, UPPER, MeasurePrior
-from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Evidence, estimate
+from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, OutlineMeasures, estimate_body
 from cloner.records.measures import FITS, Cover
 
 #: People as ``measure_samples.py`` keeps them; means and covariances of a family.
@@ -230,12 +230,12 @@ def table(own: Bodies, people: Samples, in_tight: Samples) -> MeasurePrior:
     )  # fmt: skip
 
 
-def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
+def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> OutlineMeasures:
     """Return what the product would know of a photographed person."""
     hidden = np.asarray(sample["hidden"], dtype=bool) | (bool(sample["around_legs"]) & UNDER_SKIRTS)
     shown = np.where(hidden, np.nan, sample["shown"])
     noise = max(1.0, float(sample["gap_mm"]) / prior.gap_mm)
-    return Evidence(
+    return OutlineMeasures(
         shown, float(sample["stature_m"]), bare_rows(covers_of(sample)), {}, noise, sample["rumple"], sample["under"]
     )
 
@@ -246,7 +246,7 @@ def left_out(own: Bodies, people: Samples, in_tight: Samples) -> tuple[np.ndarra
     for fold in range(FOLDS):
         prior = table(own, [one for k, one in enumerate(people) if k % FOLDS != fold], in_tight)
         for k in range(fold, len(people), FOLDS):
-            found = estimate(evidence(people[k], prior), prior)
+            found = estimate_body(evidence(people[k], prior), prior)
             errors[k], deviations[k] = found.mm - people[k]["naked"], found.deviation_mm
     return errors, deviations
 

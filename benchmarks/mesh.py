@@ -33,7 +33,7 @@ from cloner.evaluate.measures.crossings import (
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.cameras.viewpoints import framing_cameras, look_at
 from cloner.geometry.meshes.rasters import fragments
 from cloner.geometry.meshes.triangles import areas, edges_of
@@ -160,7 +160,7 @@ def figures(clone: Clone, rotations: Array) -> Figures:
     triangles, segments = skin_triangles()
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
     joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
-    points = skin(clone.vertices_m, transforms, joints, weights)
+    points = linear_blend_skinning(clone.vertices_m, transforms, joints, weights)
     every = self_crossings(points, triangles)
     lip = (generic.region("lips") | generic.region("mouth_interior"))[triangles].any(axis=1)
     lips = lip[every.pairs].all(axis=1)
@@ -171,7 +171,7 @@ def figures(clone: Clone, rotations: Array) -> Figures:
     named = [sorted(generic.segment_names[segments[row]].replace("_", " ") for row in pair) for pair in found.pairs]
     shells = 0
     for shell in clone.shells:
-        posed = skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+        posed = linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
         shells += len(crossings_between(posed[shell.triangles], points[triangles]).pairs)
     places = Counter(pair[0] if pair[0] == pair[1] else " and ".join(pair) for pair in named)
     return Figures(places, int(seen.sum()), int((seen & deep).sum()), 1e3 * float(depths.max()), inside_out,
@@ -210,7 +210,9 @@ def picture(clones: Mapping[str, Clone]) -> NDArray[np.uint8]:
             layers = clone_layers(clone, rotations)
             every = np.vstack([layer.vertices_m for layer in layers])
             transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
-            points = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+            points = linear_blend_skinning(
+                clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
+            )
             found = self_crossings(points, triangles)
             for camera in framing_cameras(every, [30.0, 200.0], *PANEL):
                 panel = draw(layers, camera, shading="soft", background=(240, 240, 240)).copy()

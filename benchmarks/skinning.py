@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 
 Array = NDArray[np.float64]
 
@@ -48,13 +48,17 @@ def main() -> None:
     joints, places = generic.skin_joints.astype(np.int32), generic.joints_m.astype(np.float64)
     turns = np.random.default_rng(0).normal(size=(len(places), 3)) * 0.2
     transforms = joint_transforms(places, generic.joint_parents, turns)
-    same = np.abs(skin(vertices, transforms, joints, weights) - plain(vertices, transforms, joints, weights)).max()
+    same = np.abs(
+        linear_blend_skinning(vertices, transforms, joints, weights) - plain(vertices, transforms, joints, weights)
+    ).max()
     rows = {
         "joints' transforms": milliseconds(
             lambda: joint_transforms(places, generic.joint_parents, turns), asked.rounds
         ),
         "skin, plain NumPy": milliseconds(lambda: plain(vertices, transforms, joints, weights), asked.rounds),
-        "skin, ours (sparse product)": milliseconds(lambda: skin(vertices, transforms, joints, weights), asked.rounds),
+        "skin, ours (sparse product)": milliseconds(
+            lambda: linear_blend_skinning(vertices, transforms, joints, weights), asked.rounds
+        ),
     }
     sys.stdout.write(f"| {len(vertices)} vertices, 4 influences | ms |\n| --- | --- |\n")
     sys.stdout.write("".join(f"| {name} | {value:.2f} |\n" for name, value in rows.items()))

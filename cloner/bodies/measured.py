@@ -16,7 +16,7 @@ from cloner.bodies.ruler import read
 from cloner.bodies.telling import GIRTHS, LENGTHS, Told, refused, untold_mm
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import TapeRules
-from cloner.geometry.outlines.settling import unfolded
+from cloner.geometry.outlines.settling import without_folds
 from cloner.records.bodies import BodyMesh
 
 #: What is given to nobody: farther than this from what was told, mm.
@@ -69,7 +69,7 @@ def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
 
 def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
     """Return the body without folds that regions made where they meet: two triangles at the crotch of a man of +3."""
-    return replace(body, vertices_m=unfolded(first.vertices_m, body.vertices_m, rules.skin))
+    return replace(body, vertices_m=without_folds(first.vertices_m, body.vertices_m, rules.skin))
 
 
 def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]], rules: TapeRules) -> BodyMesh:

@@ -11,7 +11,7 @@ from cloner.bodies import sections
 from cloner.bodies.carried import joints_follow
 from cloner.bodies.ruler import girth_slopes, level_slopes, tapes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.measurement.measures import Plane, TapeRules, read_mm, slice_points
+from cloner.geometry.measurement.measures import Plane, TapeRules, mean_girth_mm, slice_points
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
@@ -53,7 +53,7 @@ def met(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float], sex: str
     before = vertices
     for _ in range(ROUNDS if told_mm else 0):
         planes = tapes(vertices, joints, rules, (*told_mm, *LEVELS), seat=seat)
-        gap = np.array([value - read_mm(vertices, planes[key]) for key, value in told_mm.items()])
+        gap = np.array([value - mean_girth_mm(vertices, planes[key]) for key, value in told_mm.items()])
         if float(np.abs(gap).max()) < CLOSE_MM:
             break
         own = np.array([_field(generic, vertices, key, planes, rules, tuple(told_mm), sex) for key in told_mm])

@@ -11,8 +11,8 @@ from scipy.spatial import ConvexHull, QhullError
 
 from cloner.generic.load import load_generic
 from cloner.geometry.measurement.lengths import lengths_mm
-from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, read_mm
-from cloner.geometry.meshes.triangles import sides
+from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, mean_girth_mm
+from cloner.geometry.meshes.triangles import triangle_sides
 from cloner.records.arrays import Array
 
 Modes = NDArray[np.floating]
@@ -74,7 +74,7 @@ def read(
         As for :func:`tapes`.
     """
     planes = tapes(vertices_m, joints_m, rules, keys, seat=seat)
-    mm = {key: read_mm(vertices_m, own) for key, own in planes.items()}
+    mm = {key: mean_girth_mm(vertices_m, own) for key, own in planes.items()}
     if not set(keys) <= set(mm):
         waist_m = float(vertices_m[list(rules.level_vertices["natural_waist"]), 1].mean())
         levels = {"bust": 0.0, "waist": waist_m, "hip": 0.0}
@@ -102,7 +102,7 @@ def _hull_slopes(vertices_m: Array, modes_m: Modes, plane: Plane, level_modes_m:
     axis = plane.normal / np.linalg.norm(plane.normal)
     side = (vertices_m - plane.point_m) @ axis
     triangles = plane.triangles
-    edges = sides(triangles)
+    edges = triangle_sides(triangles)
     edges = edges[(side[edges[:, 0]] < 0.0) != (side[edges[:, 1]] < 0.0)]
     across = np.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.9 else [0.0, 0.0, 1.0])
     across /= np.linalg.norm(across)

@@ -14,7 +14,7 @@ from scipy.spatial import ConvexHull
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.charts.discs import even_disc
+from cloner.geometry.charts.discs import even_disc_weights
 from cloner.geometry.meshes.triangles import areas, edges_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
@@ -164,7 +164,7 @@ def _toes() -> Toes:
     edges, owners = edges_of(local)
     rim, room = np.unique(edges[owners == 1]), _shoe_tip(mesh, "l")
     flat = room.flat(mesh.vertices_m[rows])
-    shares = even_disc(local, areas(mesh.vertices_m, triangles), flat[rim], room.laid)
+    shares = even_disc_weights(local, areas(mesh.vertices_m, triangles), flat[rim], room.laid)
     even = shares @ flat[rim]
     held = np.concatenate([rim, _peaks(mesh.vertices_m[rows, 2], edges)])
     back = RBFInterpolator(even[held], (flat - even)[held], kernel="thin_plate_spline", degree=1)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.turning import below
+from cloner.geometry.articulation.turning import is_below
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
@@ -28,7 +28,7 @@ def _hand(side: str) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
     generic = load_generic()
     weight = generic.share({"l": "left_hand", "r": "right_hand"}[side])
     vertices = np.flatnonzero(weight > 0.001)
-    return vertices, weight[vertices], np.flatnonzero(below(generic.joint_parents, generic.joint(f"{side}_wrist")))
+    return vertices, weight[vertices], np.flatnonzero(is_below(generic.joint_parents, generic.joint(f"{side}_wrist")))
 
 
 def scale_hands(mesh: BodyMesh, size: Array) -> BodyMesh:

@@ -15,7 +15,7 @@ from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.modes import load_head_modes
 from cloner.head.silhouette import HAIR_M, hair_thickness_basis
@@ -129,7 +129,7 @@ def posed_vertices(mesh: BodyMesh, rows: NDArray[np.int64], posed: PosedView) ->
     generic = load_generic()
     transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
     weights = generic.skin_weights[rows].astype(np.float64)
-    return skin(mesh.vertices_m[rows], transforms, generic.skin_joints[rows], weights), transforms
+    return linear_blend_skinning(mesh.vertices_m[rows], transforms, generic.skin_joints[rows], weights), transforms
 
 
 @dataclass(frozen=True, slots=True, eq=False)

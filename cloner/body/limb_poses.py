@@ -29,9 +29,9 @@ from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.fingers import FINGERS, knuckles
-from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, turning_axes
-from cloner.geometry.articulation.turning import below, carried_share, turned_motion, turned_rotation
-from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_axes
+from cloner.geometry.articulation.turning import compose_rotations, is_below, rotation_jacobian, subtree_weights
+from cloner.geometry.cameras.motions import motion_jacobian, moved_camera, projection_derivatives
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.records.arrays import Array
@@ -76,7 +76,7 @@ def _joint_rotations() -> tuple[tuple[int, tuple[int, ...], Array, bool], ...]:
     for name, axes in (*LIMBS, *TIPS):
         for side in "lr":
             joint = generic.joint(f"{side}_{name}")
-            share = carried_share(generic.joint_parents, joint, joints, weights)
+            share = subtree_weights(generic.joint_parents, joint, joints, weights)
             rows.append((joint, axes, share, (name, axes) in TIPS))
     return tuple(rows)
 
@@ -91,7 +91,7 @@ def _finger_curls() -> tuple[tuple[tuple[int, Array, Array], ...], ...]:
         rows = []
         for finger in FINGERS:
             bones, axis = knuckles(generic, side, finger)
-            rows += [(bone, axis, carried_share(generic.joint_parents, bone, joints, weights)) for bone in bones]
+            rows += [(bone, axis, subtree_weights(generic.joint_parents, bone, joints, weights)) for bone in bones]
         hands.append(tuple(rows))
     return tuple(hands)
 
@@ -126,8 +126,8 @@ def _angle_jacobian(
     for (joint, axes, _, _), share in zip(_joint_rotations(), shares, strict=True):
         turn = np.zeros(3)
         turn[list(axes)] = angles[start : start + len(axes)]
-        frame = transforms[parents[joint], :3, :3] @ turning_axes(turn)
-        blocks.append(turned_motion(places_m, pivots_m[joint], frame.T[list(axes)], share))
+        frame = transforms[parents[joint], :3, :3] @ rotation_axes(turn)
+        blocks.append(rotation_jacobian(places_m, pivots_m[joint], frame.T[list(axes)], share))
         start += len(axes)
     return np.concatenate(blocks, axis=2)
 
@@ -145,7 +145,7 @@ def vertex_jacobian(
         moved = np.zeros((len(vertices), 3, 1))
         for joint, axis, share in hand:
             turned = transforms[parents[joint], :3, :3] @ axis
-            moved += turned_motion(places, pivots[joint], turned[None], share[vertices])
+            moved += rotation_jacobian(places, pivots[joint], turned[None], share[vertices])
         blocks.append(moved)
     return np.concatenate(blocks, axis=2)
 
@@ -158,11 +158,11 @@ def _joint_residuals(
     transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
     pivots = posed_joints(transforms, mesh.joints_m)
     places = pivots[told.joints]
-    shares = (below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _joint_rotations())
+    shares = (is_below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _joint_rotations())
     by_limbs = _angle_jacobian(transforms, pivots, places, shares, values)
     by_curls = np.zeros((len(places), 2, len(_finger_curls())))  # no finger is among them
     pixels, by_points, by_step = projection_derivatives(photo.posed.camera, places)
-    jacobian = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_twists(values[-6:], pivot)], axis=2)
+    jacobian = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_jacobian(values[-6:], pivot)], axis=2)
     return point_residuals((photo.view,), pixels - told.places_px, jacobian, told.spread_px, outlier=OUTLIER)
 
 
@@ -187,7 +187,7 @@ def _outline_residuals(
     pixels, by_points, by_step = projection_derivatives(camera, seen.posed_m[used])
     by_size = by_points @ (seen.blended[used, :, :3] @ grown[used])
     by_angle = by_points @ vertex_jacobian(mesh, photo.posed, seen.posed_m, used, values)
-    jacobian = np.concatenate([by_size, by_angle, by_step @ motion_twists(values[-6:], pivot)], axis=2)
+    jacobian = np.concatenate([by_size, by_angle, by_step @ motion_jacobian(values[-6:], pivot)], axis=2)
     pieces = photo.field.step_px * seen.mm_per_px / params.piece_mm
     sigma_px = params.outline_mm / seen.mm_per_px / np.sqrt(min(pieces, 1.0)) / (1.0 - distance[keep] / reach_px)
     away = (pixels[place] - photo.field.samples_px[keep], jacobian[place])
@@ -253,10 +253,10 @@ def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:
     for joint, axes, _, _ in _joint_rotations():
         turn = np.zeros(3)
         turn[list(axes)] = angles[start : start + len(axes)]
-        rotations[joint] = turned_rotation(rotations[joint], turn)
+        rotations[joint] = compose_rotations(rotations[joint], turn)
         start += len(axes)
     for hand, curl in zip(_finger_curls(), angles[start:-6], strict=True):
         for joint, axis, _ in hand:
-            rotations[joint] = turned_rotation(rotations[joint], curl * axis)
+            rotations[joint] = compose_rotations(rotations[joint], curl * axis)
     camera = moved_camera(posed.camera, angles[-6:], posed.camera.to_camera(middle_m[None])[0])
     return replace(posed, camera=camera, rotations=rotations)

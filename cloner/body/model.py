@@ -11,8 +11,8 @@ from cloner.body.clothes import EASES, clothing_modes
 from cloner.body.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, with_footwear
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
 from cloner.geometry.articulation.poses import pose_matrix
-from cloner.geometry.articulation.posing import Chosen
-from cloner.geometry.cameras.tripods import STAND_NAMES, projected
+from cloner.geometry.articulation.posing import PointModel
+from cloner.geometry.cameras.tripods import STAND_NAMES, project_from_stand
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -47,7 +47,7 @@ class BodyFamily:
     joint_modes_m: Array
     pose: Array
 
-    def points(self, vertices: Rows, joints: Rows | None = None, *, modes: int | None = None) -> Chosen:
+    def points(self, vertices: Rows, joints: Rows | None = None, *, modes: int | None = None) -> PointModel:
         """Return the linear model of some vertices, then of some joints.
 
         Parameters
@@ -60,7 +60,7 @@ class BodyFamily:
         influences = self.generic.skin_joints.shape[1]
         alone = np.zeros((len(own), influences))
         alone[:, :1] = 1.0
-        return Chosen(
+        return PointModel(
             np.vstack([self.mean_m[vertices], self.joints_m[own]]),
             np.concatenate([self.modes_m[vertices, :, used], self.joint_modes_m[own, :, used]]),
             self.joints_m,
@@ -104,12 +104,12 @@ class ProjectedPoints:
     by_pixels: Array
 
 
-def project_points(model: Chosen, shape: Array, stand: Array, pose: Array, like: Camera) -> ProjectedPoints:
+def project_points(model: PointModel, shape: Array, stand: Array, pose: Array, like: Camera) -> ProjectedPoints:
     """Return a model's points projected by a camera, with exact derivatives."""
     moved = model.moved(shape, pose)
     still = np.zeros((len(moved.points_m), 3, len(STAND_NAMES)))
     by_points = np.concatenate([moved.by_shape, still, moved.by_pose], axis=2)
-    pixels, by_place, by_stand = projected(stand, like, moved.points_m)
+    pixels, by_place, by_stand = project_from_stand(stand, like, moved.points_m)
     by_pixels = by_place @ by_points
     by_pixels[:, :, len(shape) : len(shape) + len(STAND_NAMES)] = by_stand
     return ProjectedPoints(moved.points_m, by_points, pixels, by_pixels)

@@ -13,7 +13,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, posed_joints
 from cloner.geometry.outlines.contours import OutlineField, outline_field
-from cloner.geometry.outlines.rims import borders_px, rim_vertices
+from cloner.geometry.outlines.rims import borders_px, silhouette_vertices
 from cloner.geometry.outlines.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
@@ -109,7 +109,7 @@ def posed_silhouette(mesh: BodyMesh, photo: OutlinedPhoto, among: NDArray[np.boo
     reduction = photo.field.reduction
     size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
     small = (pixels + 0.5) / reduction - 0.5
-    rim, picture = rim_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5, among)
+    rim, picture = silhouette_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5, among)
     on_rim = np.zeros(len(pixels), dtype=bool)
     on_rim[rim] = True
     depth = camera.to_camera(posed_m)[:, 2]

@@ -22,7 +22,16 @@ from cloner.fit.evidence import Residuals, agreement_residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
-from cloner.geometry.cameras.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
+from cloner.geometry.cameras.tripods import (
+    AZIMUTH,
+    FACING,
+    HEIGHT,
+    PITCH,
+    ROLL,
+    STAND_NAMES,
+    camera_from_stand,
+    stand_from_camera,
+)
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -47,7 +56,7 @@ class BodyState:
 
     def camera(self, evidence: PhotoEvidence) -> Camera:
         """Return the camera of one photo."""
-        return placed_camera(self.stands[evidence.view.view], evidence.view.camera)
+        return camera_from_stand(self.stands[evidence.view.view], evidence.view.camera)
 
 
 def wrapped_angle(angle: float) -> float:
@@ -102,7 +111,7 @@ def solve(body: BodyFamily, evidence: dict[ViewId, PhotoEvidence], params: Param
     values = {"shape": np.zeros(0), USUAL_POSE: mean, USUAL_HEIGHT: np.array(params.height_m[:1])}
     for view, seen in evidence.items():
         _, stand, pose = block_names(view)
-        values |= {stand: stand_of(seen.view.camera), pose: mean}
+        values |= {stand: stand_from_camera(seen.view.camera), pose: mean}
     for number, count in enumerate(params.shapes):
         values["shape"] = np.pad(values["shape"], (0, WORN + count - len(values["shape"])))
         reach, fade, state = params.reach_mm[number], params.fade[min(number, 1)], _state(values, evidence)

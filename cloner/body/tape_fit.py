@@ -16,7 +16,7 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import TapeRules, girth_planes
-from cloner.geometry.measurement.stretching import CLOSE_MM, Loop, fields, grown, zone_m
+from cloner.geometry.measurement.stretching import CLOSE_MM, Loop, grow_to_tapes, stretch_fields, zone_width_m
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
@@ -49,8 +49,8 @@ def fit_tape_measures(body: BodyMesh, tape_mm: Mapping[str, float], *, side_seen
             loops = _loops(generic, rules, BodyMesh(vertices, body.joints_m), tape_mm)
             if all(loop.girth_mm(vertices) > loop.wanted_mm - CLOSE_MM for loop in loops):
                 return BodyMesh(vertices, body.joints_m)
-            own = [fields(vertices, loop, FRONTAL)[kind] for loop in loops]
-            vertices = vertices + grown(vertices, loops, own, most / ROUNDS)
+            own = [stretch_fields(vertices, loop, FRONTAL)[kind] for loop in loops]
+            vertices = vertices + grow_to_tapes(vertices, loops, own, most / ROUNDS)
     return BodyMesh(vertices, body.joints_m)
 
 
@@ -67,5 +67,5 @@ def _loops(generic: GenericHuman, rules: TapeRules, body: BodyMesh, tape_mm: Map
             if other is not plane and other.segments[0] == plane.segments[0]
         ]
         weight = np.where(generic.skin, np.clip(generic.share(*plane.segments), 0.0, 1.0), 0.0)
-        loops.append(Loop(plane.point_m, plane.normal, plane.triangles, weight, wanted, zone_m(away)))
+        loops.append(Loop(plane.point_m, plane.normal, plane.triangles, weight, wanted, zone_width_m(away)))
     return loops

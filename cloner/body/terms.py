@@ -20,10 +20,10 @@ from cloner.fit.evidence import Residuals, cauchy_weights, point_residuals
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.posing import Chosen
-from cloner.geometry.cameras.tripods import placed_camera
+from cloner.geometry.articulation.posing import PointModel
+from cloner.geometry.cameras.tripods import camera_from_stand
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.rims import rim_vertices, vertex_normals
+from cloner.geometry.outlines.rims import silhouette_vertices, vertex_normals
 from cloner.records.arrays import Array
 
 
@@ -35,7 +35,7 @@ def block_names(view: ViewId) -> tuple[str, str, str]:
 class EvidenceTerm(Protocol):
     """A kind of evidence."""
 
-    model: Chosen
+    model: PointModel
 
     def residuals(self, drawn: ProjectedPoints) -> Residuals:
         """Return the residuals and their Jacobian for projected points."""
@@ -156,12 +156,12 @@ class OutlineTerm:
     ) -> None:
         triangles, field = body_triangles(), evidence.field
         skin = body.points(np.arange(int(triangles.max()) + 1), modes=len(shape))
-        camera = placed_camera(stand, evidence.view.camera)
+        camera = camera_from_stand(stand, evidence.view.camera)
         posed = skin.posed(shape, pose)
         pixels = camera.project(posed)
         small = (pixels + 0.5) / field.reduction - 0.5
         height, width = field.distance.shape
-        rim, _ = rim_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
+        rim, _ = silhouette_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
         normals = vertex_normals(posed, triangles)[rim] @ camera.camera_from_model[:3, :3].T
         self.normals = unit(normals[:, :2])
         self.model, self.field, self.of = skin.part(rim), field, block_names(evidence.view.view)

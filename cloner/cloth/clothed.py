@@ -23,7 +23,7 @@ from cloner.cloth.simulation.wearer import wearer
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import dense_weights, strongest
+from cloner.geometry.articulation.skinning import dense_weights, strongest_weights
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.pipeline import Progress
 from cloner.project.atomic import result_folder
@@ -148,7 +148,7 @@ def _carried(found: Dressed, hung_m: Array, triangles: NDArray[np.int64]) -> tup
     dense /= dense.sum(axis=1, keepdims=True)
     for _ in range(EVENED):
         dense = beside @ dense
-    joints, weights = strongest(dense)
+    joints, weights = strongest_weights(dense)
     return joints[weld], weights[weld]
 
 

@@ -30,7 +30,7 @@ from cloner.cloth.simulation.wearer import skin_between, wearer
 from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import dense_weights, strongest
+from cloner.geometry.articulation.skinning import dense_weights, strongest_weights
 from cloner.outside import read_outside, text_outside
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
@@ -250,7 +250,7 @@ def _carried(garment: Fitted) -> tuple[NDArray[np.int32], Array]:
     given = np.maximum(generic.skin_weights[:SKIN], 0.0)
     skin = dense_weights(generic.skin_joints[:SKIN], given, len(generic.joint_parents))
     base = np.concatenate([skin, np.einsum("nk,nkj->nj", weight, skin[near])])
-    return strongest(np.einsum("nk,nkj->nj", np.maximum(garment.weights, 0.0), base[garment.rows]))
+    return strongest_weights(np.einsum("nk,nkj->nj", np.maximum(garment.weights, 0.0), base[garment.rows]))
 
 
 def _together(clone: Clone, shell: Shell) -> Shell:

@@ -18,9 +18,9 @@ from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skin_bends import Place
+from cloner.geometry.articulation.skin_bends import EdgePoint
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
-from cloner.geometry.outlines.rim_search import Found, nearest_rim_point, rim_of
+from cloner.geometry.outlines.rim_search import ContourPoint, nearest_contour_point, occluding_contour
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ANCHOR
@@ -81,7 +81,7 @@ class Claim:
     """A wish, the place of the unbent outline nearest to it, the outline's normal (2,), its gap, and edges (N, 2)."""
 
     wish: Wish
-    place: Place
+    place: EdgePoint
     outward: Array
     inward: bool
     gap_px: float
@@ -110,20 +110,20 @@ def skin_of(wish: Wish, params: Params) -> Bools:
     return territory(wish.name, m_from_mm(params.territory_mm), wish.view is ViewId.BODY_SIDE)
 
 
-def nearest_rims(wishes: list[Wish], scenes: Mapping[ViewId, Scene], params: Params) -> list[Found | None]:
+def nearest_rims(wishes: list[Wish], scenes: Mapping[ViewId, Scene], params: Params) -> list[ContourPoint | None]:
     """Return for every wish the nearest point of the unbent body's outline."""
     metric = generic_metric()
-    found: dict[int, Found | None] = {}
+    found: dict[int, ContourPoint | None] = {}
     for view, seen in scenes.items():
-        rim = rim_of(metric, seen.posed_m, seen.pixels, seen.eye_m)
+        rim = occluding_contour(metric, seen.posed_m, seen.pixels, seen.eye_m)
         for k, wish in enumerate(wishes):
             if wish.view is view:
                 skin, penalty = skin_of(wish, params), params.inner_mm / seen.mm_per_px
-                found[k] = nearest_rim_point(rim, metric, wish.target_px, skin, penalty)
+                found[k] = nearest_contour_point(rim, metric, wish.target_px, skin, penalty)
     return [found[k] for k in range(len(wishes))]
 
 
-def claim_of(wish: Wish, found: Found, seen: Scene, params: Params) -> Claim:
+def claim_of(wish: Wish, found: ContourPoint, seen: Scene, params: Params) -> Claim:
     """Return a wish with the outline's side and normal there, and the skin that may make the outline."""
     away = wish.target_px - found.pixel
     gap_px = float(np.linalg.norm(away))

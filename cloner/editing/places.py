@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.skin_bends import Place, SkinMetric, skin_metric
+from cloner.geometry.articulation.skin_bends import EdgePoint, SkinMetric, skin_metric
 from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
@@ -48,7 +48,7 @@ def free_skin() -> Array:
     return np.asarray(free)
 
 
-def distance_from(place: Place) -> Array:
+def distance_from(place: EdgePoint) -> Array:
     """Return (V,) distances along the generic skin from a place, metres, at most ``FARTHEST_M``."""
     start = np.zeros(len(load_generic().vertices_m), dtype=bool)
     start[[place.first, place.second]] = True
@@ -59,7 +59,7 @@ def distance_from(place: Place) -> Array:
 def distance_from_feature(name: str) -> Array:
     """Return (V,) distances along the generic skin from a feature's vertex, metres, at most ``FARTHEST_M``."""
     vertex = load_generic().feature(name)
-    return distance_from(Place(vertex, vertex, 0.0))
+    return distance_from(EdgePoint(vertex, vertex, 0.0))
 
 
 def opposite(name: str) -> str:

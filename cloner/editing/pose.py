@@ -20,7 +20,7 @@ from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, pose_matrix
-from cloner.geometry.articulation.posing import Chosen
+from cloner.geometry.articulation.posing import PointModel
 from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -74,7 +74,7 @@ class _Held:
 
     posed: PosedView
     wishes: tuple[Wish, ...]
-    points: Chosen
+    points: PointModel
     sigma: Array
 
     def rotations(self, turned: Array) -> Array:
@@ -144,7 +144,7 @@ def _hold(
     own = [generic.joint(name) if name in generic.joint_names else -1 for name in names]
     skin = [0 if joint >= 0 else generic.feature(name) for name, joint in zip(names, own, strict=True)]
     is_joint, influences = np.array(own) >= 0, generic.skin_joints.shape[1]
-    points = Chosen(
+    points = PointModel(
         np.where(is_joint[:, None], joints_m[own], vertices_m[skin]),
         np.where(is_joint[:, None, None], moves[own], 0.0),
         joints_m,

@@ -19,9 +19,9 @@ from cloner.editing.places import distance_from, free_skin, generic_metric, half
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
-from cloner.geometry.articulation.skin_bends import Place, bump, smallest_step
+from cloner.geometry.articulation.skin_bends import EdgePoint, bump, least_norm_step
 from cloner.geometry.cameras.motions import projection_derivatives
-from cloner.geometry.outlines.rim_search import outermost
+from cloner.geometry.outlines.rim_search import outermost_point
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -40,12 +40,12 @@ class _Handle:
     """A place that moves for one claim: where, the edges watched around it (N, 2), the bump's vertices and heights."""
 
     claim: int
-    place: Place
+    place: EdgePoint
     edges: NDArray[np.int64]
     patch: NDArray[np.int64]
     height: Array
 
-    def height_at(self, place: Place) -> float:
+    def height_at(self, place: EdgePoint) -> float:
         """Return the bump's height at any place."""
         return float(_Bend(self.patch, self.height[:, None], np.zeros((1, 3))).of(place)[0])
 
@@ -69,7 +69,7 @@ class _Bend:
         bent[self.vertices] += self.shift_m
         return bent
 
-    def of(self, place: Place) -> Array:
+    def of(self, place: EdgePoint) -> Array:
         """Return (K,) the bumps' heights at a place."""
         rows = np.minimum(np.searchsorted(self.vertices, [place.first, place.second]), len(self.vertices) - 1)
         inside = (self.vertices[rows] == [place.first, place.second]) * np.array([1.0 - place.share, place.share])
@@ -140,7 +140,7 @@ def _solve(work: _Work) -> _Bend:
         pixels = work.bent_pixels(bend)
         new = []
         for k, claim in enumerate(work.claims):
-            seen = outermost(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
+            seen = outermost_point(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
             own = [handle for handle in handles if handle.claim == k]
             if seen and seen[1] > 2.0 * work.params.near_px and max(h.height_at(seen[0]) for h in own) < ANSWERS:
                 new.append(_handle(work, k, seen[0]))
@@ -150,7 +150,7 @@ def _solve(work: _Work) -> _Bend:
     return bend
 
 
-def _handle(work: _Work, number: int, place: Place) -> _Handle:
+def _handle(work: _Work, number: int, place: EdgePoint) -> _Handle:
     """Return the handle of a claim at a place of its outline."""
     claim = work.claims[number]
     seen = work.scenes[claim.wish.view]
@@ -216,7 +216,7 @@ def _raised(work: _Work, handles: list[_Handle], flat: _Bend, damping: float) ->
             break
         start = bend.raised_m.ravel() if damping == 0.0 else np.zeros(matrix.shape[1])
         wanted = wanted + matrix @ (bend.raised_m.ravel() - start)
-        raised = start + smallest_step(matrix, wanted, inward, max(damping, EASE))
+        raised = start + least_norm_step(matrix, wanted, inward, max(damping, EASE))
         bend = replace(bend, raised_m=np.asarray(raised, dtype=np.float64).reshape(-1, 3))
     return bend
 
@@ -228,7 +228,7 @@ def _equations(work: _Work, handles: list[_Handle], bend: _Bend) -> tuple[Array,
     for handle in handles:
         claim = work.claims[handle.claim]
         shown, target = pixels[claim.wish.view], claim.wish.target_px
-        seen = outermost(handle.edges, shown, target, claim.outward)
+        seen = outermost_point(handle.edges, shown, target, claim.outward)
         place, beyond = seen or (handle.place, float((handle.place.at(shown) - target) @ claim.outward))
         slope = _slope(place, claim.outward, work.scenes[claim.wish.view])
         rows.append(np.outer(bend.of(place), slope).ravel())
@@ -236,7 +236,7 @@ def _equations(work: _Work, handles: list[_Handle], bend: _Bend) -> tuple[Array,
     return np.array(rows), np.array(wanted)
 
 
-def _slope(place: Place, normal: Array, seen: Scene) -> Array:
+def _slope(place: EdgePoint, normal: Array, seen: Scene) -> Array:
     """Return how far (px, along ``normal``) a place is seen to go per metre of its move in rest pose, (3,)."""
     by_point = projection_derivatives(seen.camera, place.at(seen.posed_m)[None])[1][0]
     return np.asarray(normal @ by_point @ place.at(seen.blended)[:, :3])
@@ -270,7 +270,7 @@ def _tell(work: _Work, bend: _Bend) -> list[ObeyedPoint]:
     """Return what became of every claim."""
     pixels, after_px = work.bent_pixels(bend), []
     for claim in work.claims:
-        shown = outermost(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
+        shown = outermost_point(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
         after_px.append(claim.gap_px if shown is None else abs(shown[1]))
     out = []
     for k, claim in enumerate(work.claims):

@@ -9,7 +9,7 @@ import numpy as np
 
 from cloner.fit.evidence import Residuals, point_residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
-from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
+from cloner.geometry.cameras.motions import motion_jacobian, moved_camera, projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -44,7 +44,7 @@ class CameraUnknowns:
         """Return pixels (N, 2) and their derivatives by the points (N, 2, 3) and by motion and zoom (N, 2, 7)."""
         camera, back = self.camera(motion, zoom), np.array([0.0, 0.0, np.exp(zoom) * self.depth_m])
         pixels, by_points, by_step = projection_derivatives(camera, points_m)
-        by_motion = by_step @ motion_twists(motion, back - [0.0, 0.0, self.depth_m])
+        by_motion = by_step @ motion_jacobian(motion, back - [0.0, 0.0, self.depth_m])
         by_zoom = pixels - camera.centre_px + by_step[:, :, 3:] @ back
         return pixels, by_points, np.concatenate([by_motion, by_zoom[..., None]], axis=2)
 

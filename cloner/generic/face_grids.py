@@ -14,7 +14,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.meshes.eyeballs import CORNEA, Ball
+from cloner.geometry.meshes.eyeballs import CORNEA, Eyeball
 from cloner.records.arrays import Array, freeze
 
 Indices = NDArray[np.int32]
@@ -182,10 +182,10 @@ def lashes(side: str) -> Lashes:
     return Lashes(vertices.astype(np.int32), column, upper)
 
 
-def eyeball(vertices_m: NDArray[np.float64], side: str) -> Ball:
+def eyeball(vertices_m: NDArray[np.float64], side: str) -> Eyeball:
     """Return the "left" or "right" eyeball of a person with vertices (V, 3), from its two poles."""
     front, back = vertices_m[load_generic().part(f"eye_{side}")[[0, -1]]].astype(np.float64)
-    return Ball((front + (1.0 + CORNEA) * back) / (2.0 + CORNEA))
+    return Eyeball((front + (1.0 + CORNEA) * back) / (2.0 + CORNEA))
 
 
 def lips_apart(grid: Grid, points: Array) -> Array:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.meshes.wedges import welded_normals
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -57,7 +57,7 @@ def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
         pose = np.asarray(rotations, dtype=np.float64)
         transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), pose)
         weights = generic.skin_weights.astype(np.float64)
-        posed = skin(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)
+        posed = linear_blend_skinning(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)
     normals = surface_normals(posed)
     layers = [
         Layer(
@@ -74,7 +74,11 @@ def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
         if transforms is None:
             layers.append(_rest_layer(shell))
         else:
-            layers.append(_layer(shell, skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)))
+            layers.append(
+                _layer(
+                    shell, linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+                )
+            )
     return layers
 
 

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.geometry.measurement.lengths import FINGER
-from cloner.geometry.measurement.measures import TRUTH_GIRTHS, Girth, TapeRules
+from cloner.geometry.measurement.measures import TRUTH_GIRTHS, Measure, TapeRules
 from cloner.geometry.measurement.measuring import ALL_KEYS
-from cloner.geometry.measurement.under_clothes import Evidence, estimate
+from cloner.geometry.measurement.under_clothes import OutlineMeasures, estimate_body
 
 #: Body vertices (their mirror twins are added) whose mean height is the level. Chosen where both sample
 #: visitors' ruler loops pass: there they meet the true girths within 2.3 mm on the true bodies.
@@ -39,7 +39,7 @@ def load_tape_rules() -> TapeRules:
     return tape_rules(load_generic())
 
 
-def body_girths(shown_mm: Mapping[str, float], stature_m: float) -> dict[str, Girth]:
+def body_girths(shown_mm: Mapping[str, float], stature_m: float) -> dict[str, Measure]:
     """Return the girths of the body under the clothes of a photographed person, by the truth's names.
 
     Parameters
@@ -51,10 +51,10 @@ def body_girths(shown_mm: Mapping[str, float], stature_m: float) -> dict[str, Gi
     keyed = {TRUTH_GIRTHS.get(name, name): value for name, value in shown_mm.items()}
     shown = np.array([keyed.get(key, np.nan) for key in ALL_KEYS])
     prior = load_measure_prior()
-    found = estimate(Evidence(shown, stature_m, np.zeros(len(ALL_KEYS), dtype=bool)), prior)
+    found = estimate_body(OutlineMeasures(shown, stature_m, np.zeros(len(ALL_KEYS), dtype=bool)), prior)
     rows = {name: ALL_KEYS.index(key) for name, key in TRUTH_GIRTHS.items()}
     half = prior.spread * found.deviation_mm
-    return {name: Girth(float(found.mm[row]), float(half[row])) for name, row in rows.items()}
+    return {name: Measure(float(found.mm[row]), float(half[row])) for name, row in rows.items()}
 
 
 def tape_rules(generic: GenericHuman) -> TapeRules:

@@ -13,7 +13,7 @@ from cloner.detectors.face.profile import align_profile
 from cloner.fit.cameras import resect
 from cloner.fit.shapes import Evidence, ShapeFit, fit_shape, misfit
 from cloner.geometry.cameras.viewpoints import facing_camera
-from cloner.geometry.outlines.contour_match import foremost, match
+from cloner.geometry.outlines.contour_match import foremost, match_contour
 from cloner.head.ears import INSIDE, PointObservations
 from cloner.head.evidence import FrontEvidence, Params, SideEvidence
 from cloner.head.jaw import FRONT, PHOTOS, RARITY, SIDE
@@ -172,7 +172,9 @@ def _side_evidence(model: HeadModel, side: SideEvidence, fit: ShapeFit, iteratio
         whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = silhouette_vertices(whole, candidates, camera, side.facing)
         gate = GATES_M[0 if iteration < ITERATIONS - 4 else 1] / metres
-        kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
+        kept, target, normal = match_contour(
+            camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate
+        )
         base, basis = model.vertex_places(vertices[kept])
         sigma = np.full(len(kept), 1.5 * params.contour_m / metres)
         out.append(Evidence(index, base, basis, target, sigma, normal_px=normal))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.easing import smoothstep
 from cloner.generic.face_grids import Grid
-from cloner.geometry.meshes.eyeballs import BALL_M, CORNEA, Ball, cornea
+from cloner.geometry.meshes.eyeballs import BALL_M, CORNEA, Eyeball, cornea
 from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
@@ -37,7 +37,7 @@ CLEAR_M = _CALIBRATED.number("clear_m", "m")
 REACH = _CALIBRATED.pair("reach", "share")
 
 
-def margin_contact(grid: Grid, points: Array, ball: Ball) -> Array:
+def margin_contact(grid: Grid, points: Array, ball: Eyeball) -> Array:
     """Return the weight (N,) with which each column's margin touches the eyeball: 1 in the middle, 0 at the corners."""
     away = points[grid.margin] - ball.centre
     return np.asarray(1.0 - smoothstep(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
@@ -60,7 +60,7 @@ def eyeball_depth(grid: Grid, points: Array, centre_xy: Array) -> float:
     return float((weight * depth).sum() / max(float(weight.sum()), 1e-9))
 
 
-def lids_on_eyeball(grid: Grid, points: Array, ball: Ball) -> Array:
+def lids_on_eyeball(grid: Grid, points: Array, ball: Eyeball) -> Array:
     """Return the lids at rest with their margins on the eyeball, frontal positions kept."""
     reach = margin_contact(grid, points, ball)
     away = points[grid.margin] - ball.centre
@@ -81,7 +81,7 @@ def lids_on_eyeball(grid: Grid, points: Array, ball: Ball) -> Array:
     return out
 
 
-def _at_radius(points: Array, ball: Ball, least: Array, most: Array | float) -> Array:
+def _at_radius(points: Array, ball: Eyeball, least: Array, most: Array | float) -> Array:
     """Return points moved radially until their distance from the eyeball's centre lies between two."""
     spokes = points - ball.centre
     distance = np.linalg.norm(spokes, axis=-1)
@@ -96,7 +96,7 @@ def _margin_values(grid: Grid, lid: NDArray[np.bool_], aside: Array, values: Arr
     return np.asarray(np.interp(aside, aside[columns], values[columns]))
 
 
-def closing_angles(grid: Grid, points: Array, ball: Ball) -> Array:
+def closing_angles(grid: Grid, points: Array, ball: Eyeball) -> Array:
     """Return the rotations (N,) of the margins until they meet, radians, positive upwards; corners stay."""
     aside, elevation, _ = ball.unrolled(points[grid.margin])
     upper, lower = (_margin_values(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
@@ -106,7 +106,7 @@ def closing_angles(grid: Grid, points: Array, ball: Ball) -> Array:
     return np.asarray(np.where(grid.upper, meeting, _margin_values(grid, grid.upper, aside, meeting)) - elevation)
 
 
-def closed_lids(grid: Grid, points: Array, ball: Ball) -> Array:
+def closed_lids(grid: Grid, points: Array, ball: Eyeball) -> Array:
     """Return closed lids: both margins on one line, the skin around them smooth."""
     out = rotate_margins(grid, points, ball, closing_angles(grid, points, ball))
     aside, elevation, distance = ball.unrolled(out[grid.margin :])
@@ -124,7 +124,7 @@ def closed_lids(grid: Grid, points: Array, ball: Ball) -> Array:
     return np.asarray(out)
 
 
-def rotate_margins(grid: Grid, points: Array, ball: Ball, turn: Array) -> Array:
+def rotate_margins(grid: Grid, points: Array, ball: Eyeball, turn: Array) -> Array:
     """Return the grid with its margins rotated about the eyeball, without touching it on the way.
 
     Parameters
@@ -153,7 +153,7 @@ def rotate_margins(grid: Grid, points: Array, ball: Ball, turn: Array) -> Array:
     return np.asarray(np.where((np.abs(share * turn) > 1e-9)[..., None], out, points))
 
 
-def keep_on_eyeball(grid: Grid, points: Array, moved: Array, ball: Ball) -> Array:
+def keep_on_eyeball(grid: Grid, points: Array, moved: Array, ball: Eyeball) -> Array:
     """Return displaced lids with their margins on the eyeball as at rest, none inside it and none crossed.
 
     Parameters
@@ -176,7 +176,7 @@ def keep_on_eyeball(grid: Grid, points: Array, moved: Array, ball: Ball) -> Arra
     return np.asarray(out)
 
 
-def lids_following_gaze(grid: Grid, points: Array, ball: Ball, up_rad: float) -> Array:
+def lids_following_gaze(grid: Grid, points: Array, ball: Eyeball, up_rad: float) -> Array:
     """Return the lids for a gaze turned up, radians: the upper lid follows most of the way, the lower one a little."""
     closing = closing_angles(grid, points, ball)
     profile = np.abs(closing) / np.maximum(np.where(grid.upper, np.abs(closing[grid.upper]).max(),

@@ -20,7 +20,7 @@ from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.head.ears import ear_modes
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
@@ -120,7 +120,7 @@ def canonical_displacements(generic: GenericHuman) -> Array:
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         canonical = archive["vertices_cm"].astype(np.float64)
     places = load_face_net().places.at(generic.vertices_m.astype(np.float64))
-    scale, rotation, shift = similarity(canonical, places)
+    scale, rotation, shift = similarity_alignment(canonical, places)
     way = scale * canonical @ rotation.T + shift - places
     way = (way + way[_mirrored_points(places)] * [-1.0, 1.0, 1.0]) / 2.0
     controls = load_head_controls()

@@ -11,8 +11,8 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.cameras.motions import projection_derivatives
-from cloner.geometry.meshes.alignment import similarity
-from cloner.geometry.meshes.eyeballs import BALL_M, Ball, ball_points
+from cloner.geometry.meshes.alignment import similarity_alignment
+from cloner.geometry.meshes.eyeballs import BALL_M, Eyeball, eyeball_points
 from cloner.head import lids, lips, tongue
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
@@ -74,13 +74,13 @@ def _place_eye(generic: GenericHuman, out: Array, side: str, iris: tuple[Camera,
     grid = eye_grid(side)
     before = out[grid.rings]
     middle = _pupil_between_lids(grid, before[grid.margin])
-    ball = Ball(np.append(middle, lids.eyeball_depth(grid, before, middle)))
+    ball = Eyeball(np.append(middle, lids.eyeball_depth(grid, before, middle)))
     if iris is not None:
         middle = middle + np.clip(_shift_to_pixel(ball, *iris), -IRIS_REACH_M, IRIS_REACH_M)
-        ball = Ball(np.append(middle, lids.eyeball_depth(grid, before, middle)))
+        ball = Eyeball(np.append(middle, lids.eyeball_depth(grid, before, middle)))
     rows = generic.part(f"eye_{side}")
     rest = generic.vertices_m.astype(np.float64)
-    out[rows] = ball.centre + ball_points(rest[rows] - eyeball(rest, side).centre, RIM_ANGLE)
+    out[rows] = ball.centre + eyeball_points(rest[rows] - eyeball(rest, side).centre, RIM_ANGLE)
     out[grid.rings] = lids.lids_on_eyeball(grid, before, ball)
     _place_lashes(generic, out, side)
 
@@ -92,7 +92,7 @@ def _pupil_between_lids(grid: Grid, margin: Array) -> Array:
     return np.array([aside, np.mean(edges) + PUPIL_UP_M])
 
 
-def _shift_to_pixel(ball: Ball, camera: Camera, iris_px: Array) -> Array:
+def _shift_to_pixel(ball: Eyeball, camera: Camera, iris_px: Array) -> Array:
     """Return the shift (2,) of an eyeball to the left and up, metres, that brings its pupil to a pixel."""
     pupil = ball.centre + np.array([0.0, 0.0, BALL_M])
     seen, by_point, _ = projection_derivatives(camera, pupil[None])
@@ -127,7 +127,7 @@ def _place_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
             front - BEHIND_UPPER_M,
         ),
     ):
-        factor, rotation, _ = similarity(before[mouth[near]], out[mouth[near]])
+        factor, rotation, _ = similarity_alignment(before[mouth[near]], out[mouth[near]])
         size = factor * np.array([NARROWER[parts[0]], 1.0, 1.0])
         own = size * before[generic.part(parts[0])] @ rotation.T
         biting = own[:, 1].min() if parts[0] == "teeth_upper" else own[:, 1].max()

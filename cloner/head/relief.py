@@ -12,7 +12,7 @@ from cloner.fit.controls import PhotoEvidence, solve_displacements
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.deformation.dffd import deform
 from cloner.geometry.meshes.surface import SurfacePoints
-from cloner.geometry.outlines.contour_match import match
+from cloner.geometry.outlines.contour_match import match_contour
 from cloner.head.evidence import FrontEvidence, Params, SideEvidence
 from cloner.head.fit import (
     GATES_M,
@@ -88,7 +88,9 @@ def _side_evidence(model: HeadModel, whole: Array, camera: Camera, side: SideEvi
     movable = np.flatnonzero(controls.movable)
     vertices = silhouette_vertices(whole, profile_candidates(model), camera, side.facing)
     gate = GATES_M[1] / metres
-    kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
+    kept, target, normal = match_contour(
+        camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate
+    )
     rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
     sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
     out = [PhotoEvidence(camera, whole[vertices[kept]], rows, target, sigma, normal)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from cloner.frames import ViewId, mm_from_m
-from cloner.geometry.outlines.contour_match import match
+from cloner.geometry.outlines.contour_match import match_contour
 from cloner.head.evidence import FitLog, FrontEvidence, SideEvidence
 from cloner.head.fit import FittedHead, profile_candidates, silhouette_vertices
 from cloner.head.jaw import FRONT, SIDE, with_open_jaw
@@ -65,7 +65,7 @@ def report_side(
     vertices = silhouette_vertices(whole, profile_candidates(model), fitted.side, side.facing)
     metres = fitted.side.metres_per_pixel(whole[model.generic.feature("nasion")])
     seen = fitted.side.project(whole[vertices])
-    kept, target, normal = match(seen, side.contour_px, side.normals_px, gate_px=0.015 / metres)
+    kept, target, normal = match_contour(seen, side.contour_px, side.normals_px, gate_px=0.015 / metres)
     error = np.abs(((seen[kept] - target) * normal).sum(axis=1)) * metres
     view = str(ViewId.FACE_SIDE)
     log.residuals.append(Residual("profile", mm_from_m(float(error.mean())) if len(kept) else 0.0, "mm", view))

@@ -21,7 +21,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.contour_match import farthest, turning_points
+from cloner.geometry.outlines.contour_match import farthest_by_sector, occluding_points
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.model import HeadModel
 from cloner.head.outline import Outline
@@ -109,9 +109,9 @@ def silhouette_evidence(
             continue
         head = model.head(coefficients[: len(model.basis_m)])
         normals = vertex_normals(head, skin.triangles)
-        places = turning_points(head, normals, skin.edges, camera.position_m)
+        places = occluding_points(head, normals, skin.edges, camera.position_m)
         middle = camera.project(head[skin.middle]).mean(axis=0)
-        places = places.take(farthest(camera.project(places.at(head)), middle, SECTOR))
+        places = places.take(farthest_by_sector(camera.project(places.at(head)), middle, SECTOR))
         sight = _HeadView(model, head, normals, camera, index, outline, camera.metres_per_pixel(head[skin.middle[0]]))
         out += _hair_evidence(sight, _on_edges_among(places, skin.vault), hair, before)
         out += _skin_evidence(sight, _on_edges_among(places, skin.bare)) if index == 0 else []

@@ -17,8 +17,8 @@ from scipy.spatial import cKDTree
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.meshes.alignment import similarity
-from cloner.geometry.meshes.eyeballs import Ball
+from cloner.geometry.meshes.alignment import similarity_alignment
+from cloner.geometry.meshes.eyeballs import Eyeball
 from cloner.geometry.meshes.local_maps import LocalMaps, local_maps
 from cloner.head import lids, lips, tongue
 from cloner.records.arrays import Array
@@ -91,8 +91,8 @@ class _PersonalTargets:
     def _move_mouth(self, out: Array, raw: Array) -> None:
         """Move the lower teeth, and the tongue with them, in place."""
         teeth, tongue_rows = self.generic.part("teeth_lower"), self.generic.part("tongue")
-        size, turn, shift = similarity(self.mean_m[teeth], self.rest_m[teeth])
-        _, jaw_turn, jaw_shift = similarity(self.mean_m[teeth], self.mean_m[teeth] + raw[teeth])
+        size, turn, shift = similarity_alignment(self.mean_m[teeth], self.rest_m[teeth])
+        _, jaw_turn, jaw_shift = similarity_alignment(self.mean_m[teeth], self.mean_m[teeth] + raw[teeth])
         sinks = max(0.0, -float(raw[teeth, 1].mean()))
         for rows in (teeth, tongue_rows):
             generic_place = (self.rest_m[rows] - shift) @ turn / size
@@ -110,7 +110,7 @@ class _PersonalTargets:
         rows, rest = self.generic.part(f"eye_{side}"), self.rest_m[grid.rings]
         up = 0.0
         if raw[rows].any():
-            _, turn, _ = similarity(self.mean_m[rows], self.mean_m[rows] + raw[rows])
+            _, turn, _ = similarity_alignment(self.mean_m[rows], self.mean_m[rows] + raw[rows])
             out[rows] = (self.rest_m[rows] - ball.centre) @ (turn.T - np.eye(3))
             up = float(np.arcsin(np.clip(turn[1, 2], -1.0, 1.0)))
         if name == f"eyeBlink{side.title()}":
@@ -124,7 +124,7 @@ class _PersonalTargets:
         out[grid.rings] = moved - rest
         self._move_lashes(out, side, ball)
 
-    def _move_lashes(self, out: Array, side: str, ball: Ball) -> None:
+    def _move_lashes(self, out: Array, side: str, ball: Eyeball) -> None:
         """Move the lashes with the lid margins that they grow from, in place."""
         grid, own = eye_grid(side), lashes(side)
         root = grid.ring(1)[own.column]

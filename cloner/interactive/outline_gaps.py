@@ -12,7 +12,7 @@ from cloner.editing.claims import scene_of
 from cloner.editing.places import generic_metric
 from cloner.frames import ViewId
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.rim_search import rim_of
+from cloner.geometry.outlines.rim_search import occluding_contour
 from cloner.geometry.outlines.rims import borders_px, fill_triangles
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -48,7 +48,7 @@ def outline_gaps_mm(
         if not view.is_body or view not in outlines:
             continue
         seen = scene_of(vertices_m, joints_m, posed)
-        rim = np.unique(rim_of(generic_metric(), seen.posed_m, seen.pixels, seen.eye_m).edges)
+        rim = np.unique(occluding_contour(generic_metric(), seen.posed_m, seen.pixels, seen.eye_m).edges)
         size = (posed.camera.height_px, posed.camera.width_px)
         border = np.concatenate([np.zeros((0, 2)), *borders_px(fill_triangles(seen.pixels, body_triangles(), size))])
         if not len(border):

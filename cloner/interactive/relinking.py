@@ -12,7 +12,7 @@ from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.records.points import Correction, Proposal, ViewPoints
 from cloner.stages.silhouettes import ON_OUTLINE, silhouette
-from cloner.vision.contours.stretches import Linkable, link_stretch, make_linkable
+from cloner.vision.contours.stretches import LinkableOutline, prepare_linking, relink_stretch
 
 Contours = tuple[Array, ...]
 
@@ -28,7 +28,7 @@ class LiveOutline:
         The outline without corrections, closed polygons, px.
     """
 
-    ready: Linkable
+    ready: LinkableOutline
     traced_px: Contours
 
 
@@ -51,7 +51,7 @@ def live_outline(photo: Photo, proposal: Proposal, points: ViewPoints | None) ->
     points : ViewPoints or None
         The proposed points of a body photo.
     """
-    ready = make_linkable(photo.rgb, proposal.mask.astype(np.float32) / np.float32(255.0))
+    ready = prepare_linking(photo.rgb, proposal.mask.astype(np.float32) / np.float32(255.0))
     if ready is None:
         return None
     try:
@@ -83,6 +83,6 @@ def follow(outline: LiveOutline, steps: tuple[Step, ...], corrections: Mapping[s
     for name in sorted(wanted.keys() - done, key=lambda name: (name not in stood, name)):
         placed.append(wanted[name])
         before = kept[-1].contours_px if kept else outline.traced_px
-        contours = link_stretch(outline.ready, before, np.array(placed), np.array(wanted[name]))
+        contours = relink_stretch(outline.ready, before, np.array(placed), np.array(wanted[name]))
         kept.append(Step(name, wanted[name], contours))
     return tuple(kept)

@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.seen_points import NAMES
 from cloner.records.labels import GARMENTS, Label, shows
 from cloner.vision.retouching.evening import beyond_light, log_levels
-from cloner.vision.segmentation.pieces import box_around, pieces_of
+from cloner.vision.segmentation.pieces import box_around, connected_pieces
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.own_skin")
@@ -53,7 +53,7 @@ def relabel_foreign_skin(
     logs = np.asarray(log_levels(smooth), np.float64)
     own = np.median(logs[known], axis=0)
     found = labels.copy()
-    box, pieces, figures = pieces_of(skin)
+    box, pieces, figures = connected_pieces(skin)
     for piece in np.flatnonzero(figures[1:, cv2.CC_STAT_AREA] >= SMALLEST * figure**2) + 1:
         inside = np.zeros(shown.shape, np.bool_)
         inside[box] = pieces == piece

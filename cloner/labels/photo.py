@@ -15,7 +15,7 @@ from cloner.records.labels import Label, shows
 from cloner.vision.photographs.head_frame import HeadFrame
 from cloner.vision.retouching.repair import nearest_known
 from cloner.vision.segmentation.hair_edge import draw_edge
-from cloner.vision.segmentation.pieces import pieces_of
+from cloner.vision.segmentation.pieces import connected_pieces
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.photo")
@@ -109,7 +109,7 @@ def without_collars(labels: NDArray[np.uint8], chin_px: float) -> NDArray[np.uin
         Row of the chin.
     """
     # a band or a scarf may cross a tail, a beard may join it
-    box, pieces, figures = pieces_of(shows(labels, Label.HAIR, Label.ACCESSORY, Label.BEARD))
+    box, pieces, figures = connected_pieces(shows(labels, Label.HAIR, Label.ACCESSORY, Label.BEARD))
     low = figures[:, cv2.CC_STAT_TOP] > chin_px
     low[0] = False
     collar = np.zeros(labels.shape, np.bool_)
@@ -135,7 +135,7 @@ def without_specks(labels: NDArray[np.uint8], least_px: float) -> NDArray[np.uin
     for label in np.unique(labels):
         if label == Label.BACKGROUND or label in SMALL_BY_NATURE:
             continue
-        box, pieces, figures = pieces_of(labels == label)
+        box, pieces, figures = connected_pieces(labels == label)
         few = figures[:, cv2.CC_STAT_AREA] < least_px
         few[0] = False
         small[box] |= few[pieces]

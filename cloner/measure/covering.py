@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.skinning import joint_transforms, skin
-from cloner.geometry.cameras.seeing import facing, look
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
+from cloner.geometry.cameras.seeing import front_facing, visibility
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -112,9 +112,11 @@ def _seen_labels(
 ) -> tuple[NDArray[np.int64], Array, NDArray[np.uint8]]:
     """Return the vertices that a photo sees well, the cosine of their slope and their labels, (N,) each."""
     transforms = joint_transforms(joined.joints_m, generic.joint_parents.astype(np.int32), posed.rotations)
-    posed_m = skin(joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    posed_m = linear_blend_skinning(
+        joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
+    )
     triangles = body_triangles()
-    sight = look(posed_m, triangles, posed.camera, facing(posed_m, triangles, posed.camera))
+    sight = visibility(posed_m, triangles, posed.camera, front_facing(posed_m, triangles, posed.camera))
     good = (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
     rows = np.flatnonzero(good & generic.skin)
     return rows, sight.cosine[rows], labels_at(labels, sight.pixel_px[rows])

@@ -12,7 +12,7 @@ from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.report.agreement import Agreement
-from cloner.vision.retouching.open_mouth import open_borders
+from cloner.vision.retouching.open_mouth import open_lip_borders
 
 #: Face-mesh points: outer eye corners, inner edges of the lips, mouth corners (numbering of Google's face mesh).
 _EYES: Final = (33, 263)
@@ -102,7 +102,7 @@ def _face(proposal: Proposal) -> list[str]:
     told = []
     if eyes < LEAST_EYES_PX:
         told.append(f"The face is small in its photo ({eyes:.0f} pixels between the eyes' corners): it stays soft")
-    if open_borders(points) is not None:
+    if open_lip_borders(points) is not None:
         told.append("The mouth is open in the face photo: the clone's lips are closed, their inner borders a guess")
     return told
 

@@ -30,7 +30,7 @@ from cloner.scenes.films.steps import steps_of
 from cloner.scenes.films.voices import Voices, voices_of
 from cloner.scenes.inhabited import room_parts, sounding, views_in
 from cloner.scenes.written import light_in, room_in, sound_in
-from cloner.vision.photographs.films import FORMATS, told_png, write_film
+from cloner.vision.photographs.films import FORMATS, png_text, write_film
 
 Pixels = NDArray[np.uint8]
 
@@ -124,7 +124,7 @@ def _draw(
             with result_folder(out.parent, out.name) as folder:
                 for number, shown in enumerate(pictures, start=1):
                     Image.fromarray(shown).save(
-                        folder / f"{number:0{DIGITS}}.png", pnginfo=told_png(filmed(facts["people"]))
+                        folder / f"{number:0{DIGITS}}.png", pnginfo=png_text(filmed(facts["people"]))
                     )
                 if sound is not None:
                     (folder / SOUND_FILE).write_bytes(wav_bytes(sound, RATE_HZ))

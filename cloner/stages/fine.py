@@ -36,7 +36,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
-from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, unfolded
+from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, without_folds
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
@@ -166,7 +166,7 @@ def settle_on_outlines(
         doubt_m=(m_from_mm(params.doubt_mm[0]), m_from_mm(params.doubt_mm[1])),
     )
     moved = mesh.vertices_m + np.clip(heights, -0.05, 0.05)[:, None] * ways
-    return BodyMesh(unfolded(mesh.vertices_m, moved, triangles), mesh.joints_m)
+    return BodyMesh(without_folds(mesh.vertices_m, moved, triangles), mesh.joints_m)
 
 
 def fit_extremities(

@@ -50,7 +50,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.vision.photographs.noise import quieted
+from cloner.vision.photographs.noise import denoised
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +94,7 @@ def run(
 
     Residuals: median and largest thickness of the cap, mm.
     """
-    generic, photos = load_generic(), quieted(photos)
+    generic, photos = load_generic(), denoised(photos)
     views = hair_views(generic, joined, proposals, silhouettes)
     body, on_scalp = body_triangles(), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]

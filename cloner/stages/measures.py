@@ -16,7 +16,7 @@ from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
 from cloner.geometry.measurement.prior import MeasurePrior
-from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Estimate, Evidence, estimate
+from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, BodyEstimate, OutlineMeasures, estimate_body
 from cloner.measure.gathered import gathered
 from cloner.records.arrays import Array
 from cloner.records.bodies import FineBody, Phenotype
@@ -73,9 +73,9 @@ def estimate_measures(
     shown = np.array([shown_mm.get(key, np.nan) for key in ALL_KEYS])
     shown[hidden] = np.nan  # left to its neighbours: of eight people as good as larger noise (52 against 53 mm)
     tape = {ALL_KEYS.index(key): value for key, value in person.tape_mm}
-    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm, under_mm)
-    photos_say = estimate(without, prior)
-    found = estimate(replace(without, tape_mm=tape), prior) if tape else photos_say
+    without = OutlineMeasures(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm, under_mm)
+    photos_say = estimate_body(without, prior)
+    found = estimate_body(replace(without, tape_mm=tape), prior) if tape else photos_say
     share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
     values = {key: _measure(key, found, prior, shown_mm, dict(person.tape_mm), share) for key in MEASURE_KEYS}
     fits = [dict(zip(FITS, map(float, each), strict=True)) for each in (found.upper_fit, found.lower_fit)]
@@ -87,7 +87,7 @@ def estimate_measures(
 
 def _measure(
     key: str,
-    found: Estimate,
+    found: BodyEstimate,
     prior: MeasurePrior,
     shown_mm: Mapping[str, float],
     tape_mm: Mapping[str, float],
@@ -109,7 +109,7 @@ def _hidden_waist(hidden: NDArray[np.bool_]) -> tuple[str, ...]:
     )
 
 
-def _unlikely_tapes(photos_say: Estimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:
+def _unlikely_tapes(photos_say: BodyEstimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:
     """Return a sentence for every tape measure that the photos make unlikely."""
     told = []
     for key, tape in person.tape_mm:

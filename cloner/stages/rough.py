@@ -29,7 +29,7 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.settling import unfolded
+from cloner.geometry.outlines.settling import without_folds
 from cloner.geometry.outlines.slices import aspect_shift, fine_shift
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
@@ -125,7 +125,7 @@ def shape_slices(
                 moved += aspect_shift(pairs, vertices, vertices[near], s, smooth=smooth)
             shift[near] += weight[near, None] * moved
         vertices += shift
-    return BodyMesh(unfolded(mesh.vertices_m, vertices, body_triangles()), mesh.joints_m)
+    return BodyMesh(without_folds(mesh.vertices_m, vertices, body_triangles()), mesh.joints_m)
 
 
 def run(

@@ -21,7 +21,7 @@ from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.charts.atlas import AtlasMap
-from cloner.geometry.charts.iris import skin_around_eyes, white_to_skin
+from cloner.geometry.charts.iris import sclera_to_skin, skin_around_eyes
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.memory import give_back
 from cloner.paint.composing.baked import Baked, unpainted
@@ -55,7 +55,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.vision.photographs.noise import quieted
+from cloner.vision.photographs.noise import denoised
 from cloner.vision.retouching.repair import spread_nearest
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
@@ -101,7 +101,7 @@ def run(
     was shifted away, px; share of the charts' texels that a photo saw.
     """
     params = params or Params()
-    generic, photos = load_generic(), quieted(photos)
+    generic, photos = load_generic(), denoised(photos)
     hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth", "beard"))  # lenses are clear
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
     baked, surfaces, worn_rgb, residuals = paint_atlas(
@@ -135,7 +135,7 @@ def observed_eye_colours(
     seen = photos.photos[ViewId.FACE_FRONT].rgb, proposal.labels, proposal.face_px, proposal.irises_px
     shown_rgb = skin_around_eyes(*seen)
     iris_rgb = head.iris_rgb if shown_rgb is None else np.minimum(head.iris_rgb * skin_rgb / shown_rgb, 255.0)
-    return white_to_skin(*seen), iris_rgb
+    return sclera_to_skin(*seen), iris_rgb
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -23,7 +23,7 @@ import numpy as np
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 
 DATA = Path(__file__).resolve().parents[2] / "cloner" / "crowd" / "data"
 SURFACES = ("body", "eyes")  # lips and lids cover the rest at the sizes of a crowd
@@ -68,7 +68,9 @@ def bent(generic: GenericHuman) -> list[np.ndarray]:
             generic.joints_m.astype(np.float64), generic.joint_parents.astype(np.int32), rotations
         )
         weights = generic.skin_weights.astype(np.float64)
-        found.append(skin(generic.vertices_m.astype(np.float64), transforms, generic.skin_joints, weights))
+        found.append(
+            linear_blend_skinning(generic.vertices_m.astype(np.float64), transforms, generic.skin_joints, weights)
+        )
     return found
 
 

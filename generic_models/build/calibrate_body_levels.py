@@ -35,7 +35,7 @@ from cloner.evaluate.truths.kit import kit_people, read_kit
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.labels import Label
-from cloner.vision.segmentation.outline_walk import Figure, figure_of
+from cloner.vision.segmentation.outline_walk import SoftMask, soft_mask
 
 Array = NDArray[np.float64]
 Samples = dict[str, list[dict[str, float]]]
@@ -111,7 +111,7 @@ def generated(people: Path, view: str) -> Iterator[Seen]:
 
 def put_in_order(seen: Seen, view: ViewId) -> Seen:
     """Return what the net showed with left and right as the product puts them."""
-    figure = figure_of(seen.mask)
+    figure = soft_mask(seen.mask)
     return seen if figure is None else replace(seen, pose=corrected_pose(figure, seen.pose, view)[0])
 
 
@@ -141,7 +141,7 @@ def gather(shown: Mapping[str, list[Seen]]) -> Samples:
     samples: Samples = {name: [] for name in ("front", "back", "arm_front", "arm_back", "side")}
     for view, photos in shown.items():
         for seen in photos:
-            figure = figure_of(seen.mask)
+            figure = soft_mask(seen.mask)
             if figure is None:
                 continue
             if view == "side":
@@ -153,7 +153,7 @@ def gather(shown: Mapping[str, list[Seen]]) -> Samples:
     return samples
 
 
-def side_sample(figure: Figure, seen: Seen) -> dict[str, float]:
+def side_sample(figure: SoftMask, seen: Seen) -> dict[str, float]:
     """Return seen and true levels of a side photo."""
     near, forwards = (net.LEFT, -1.0) if seen.azimuth_deg > 0 else (net.RIGHT, 1.0)
     found = side_cues(figure, seen.pose, find_body_profile(figure, seen.pose, near, forwards, seen.hair))
@@ -170,7 +170,7 @@ def profile_axis_place(pose: Array, near: int, row: float) -> float:
     return float(polyline_columns(np.array([row]), body_axis(pose, near))[0])
 
 
-def front_sample(figure: Figure, seen: Seen, side: int) -> dict[str, float]:
+def front_sample(figure: SoftMask, seen: Seen, side: int) -> dict[str, float]:
     """Return seen and true levels of one side of a front or back photo."""
     name = net.SIDES[side]
     found = front_cues(figure, seen.pose, find_side_contour(figure, seen.pose, side, seen.hair))
@@ -179,7 +179,7 @@ def front_sample(figure: Figure, seen: Seen, side: int) -> dict[str, float]:
     return found | {n: level_of(figure, float(point[1])) for n, point in rows.items()}
 
 
-def arm_sample(figure: Figure, seen: Seen, side: int) -> dict[str, float]:
+def arm_sample(figure: SoftMask, seen: Seen, side: int) -> dict[str, float]:
     """Return seen and true places along one arm, and the shoulder's end across the trunk."""
     name = net.SIDES[side]
     found, strip, share = arm_cues(figure, seen.pose, side)
@@ -226,7 +226,7 @@ def point_errors(photos: list[Seen], view: str) -> Errors:
     """Return true place minus proposed place, outwards (from the side: forwards) and up, in figure heights."""
     found: Errors = {}
     for seen in photos:
-        figure = figure_of(seen.mask)
+        figure = soft_mask(seen.mask)
         if figure is None:
             continue
         near, forwards = (net.LEFT, -1.0) if seen.azimuth_deg > 0 else (net.RIGHT, 1.0)

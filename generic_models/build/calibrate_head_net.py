@@ -23,7 +23,7 @@ from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.nets import litert
 from cloner.detectors.table import DETECTORS
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.head.modes import bent_shapes, head_shapes, nod_and_turn
 from cloner.records.views import Camera
 
@@ -75,7 +75,7 @@ def coefficients_of(shapes: Shapes, head_m: Array) -> tuple[Array, float, Array]
     found = np.zeros(columns.shape[1])
     for _ in range(4):
         shown = shapes.mean_m + np.tensordot(found, shapes.basis_m, axes=1)
-        scale, rotation, shift = similarity(head_m[face], shown[face])
+        scale, rotation, shift = similarity_alignment(head_m[face], shown[face])
         laid = scale * head_m @ rotation.T + shift
         found = np.linalg.solve(normal, columns.T @ (laid - shapes.mean_m)[face].ravel())
     return found, scale, rotation

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scan_heads import laid_generic, outer_skin, read_family, twin_vertices
 
 from cloner.generic.load import load_generic
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.head.modes import family_parameters, parameter_displacements
 
 Array = NDArray[np.float64]
@@ -74,7 +74,7 @@ def scan_displacements(path: Path, count: int, skin: Skin, rest: Array, towards:
     family, laid, head = read_family(path), laid_generic(path), load_generic().head_vertices[skin.rows]
 
     def onto(points: Array, goal: Array) -> Array:
-        scale, rotation, shift = similarity(points[skin.face], goal[skin.face])
+        scale, rotation, shift = similarity_alignment(points[skin.face], goal[skin.face])
         return np.asarray(scale * points @ rotation.T + shift)
 
     mean = onto(laid.vertices_m[head], towards)

@@ -18,7 +18,7 @@ from scipy.spatial import ConvexHull
 from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
-from cloner.geometry.charts.tubes import hull_radii, ring_angles, tube_mesh, tube_points
+from cloner.geometry.charts.tubes import convex_hull_radii, ring_angles, tube_mesh, tube_points
 
 Array = NDArray[np.float64]
 Kind = Literal["short skirt", "long skirt", "coat", "bag"]
@@ -108,7 +108,7 @@ def body_rings(generic: GenericHuman, vertices_m: Array, heights_m: Array) -> tu
         away = np.abs(points[:, 1] - height)
         near = points[away < max(0.015, np.partition(away, 24)[24])][:, [0, 2]]
         centres[k] = (near.min(axis=0) + near.max(axis=0)) / 2.0
-        radii[k] = hull_radii(near, centres[k], angles)
+        radii[k] = convex_hull_radii(near, centres[k], angles)
     return centres, radii
 
 

@@ -20,7 +20,7 @@ from scipy.sparse import coo_matrix, csr_matrix, diags, identity
 from scipy.sparse.linalg import splu
 
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.geometry.meshes.surface import SurfacePoints, nearest_points
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.outlines.rims import vertex_normals
@@ -159,7 +159,7 @@ def laid_generic(path: Path) -> Laid:
     rest, marks = generic.vertices_m.astype(np.float64), marks_of(family, family.mean_m)
     own = rest[[generic.feature(name) for name in marks]]
     goal = np.array(list(marks.values()))
-    scale, rotation, shift = similarity(own, goal)
+    scale, rotation, shift = similarity_alignment(own, goal)
     first = scale * rest @ rotation.T + shift
     anchors = scale * own @ rotation.T + shift
     warp = RBFInterpolator(anchors, goal - anchors, kernel="linear", smoothing=1e-5)

@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 from cloner.errors import ClonerError
 from cloner.exporters.gltf.gltf import export
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.bending import flesh
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.rig import centred
@@ -153,7 +153,7 @@ def test_skinning_the_file_gives_the_same_pose_as_our_own(gltf, clone):
     rotations[generic.joint("l_elbow")] = [0.0, 1.0, 0.2]
     rotations[generic.joint("vl1")] = [0.3, 0.0, 0.0]
     transforms = joint_transforms(centred(clone).joints_m, generic.joint_parents, rotations)
-    wanted = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
+    wanted = linear_blend_skinning(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
     body = gltf.meshes[0].primitives[0].attributes
     inverse = _read(gltf, gltf.skins[0].inverseBindMatrices).reshape(-1, 4, 4).transpose(0, 2, 1)
     bind = transforms @ np.linalg.inv(inverse)  # world matrix of every joint node

@@ -24,7 +24,7 @@ from cloner.exporters.gltf import gltf_small
 from cloner.exporters.gltf.gltf import build
 from cloner.exporters.vrml import vrml_flat
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.meshes.wedges import welded_normals
 from cloner.motion.flesh.rest import in_t_pose
 from cloner.motion.limbs.body import body_of
@@ -165,9 +165,11 @@ def test_mixamo_bones_carry_the_same_walk(clone: Clone) -> None:
     where = places(world, posed.joints_m[bones.joints], bones.parents, motion.root_m)
     assert np.abs(where - body.places(motion)[:, bones.joints]).max() < 0.025
     all_joints = joint_transforms(posed.joints_m, GENERIC.joint_parents, motion.rotations[frame])
-    wanted = skin(posed.vertices_m, all_joints, GENERIC.skin_joints, GENERIC.skin_weights.astype(float))
+    wanted = linear_blend_skinning(
+        posed.vertices_m, all_joints, GENERIC.skin_joints, GENERIC.skin_weights.astype(float)
+    )
     moves = joint_transforms(posed.joints_m[bones.joints], bones.parents, rotations[frame])
-    away = np.linalg.norm(skin(posed.vertices_m, moves, few, weights) - wanted, axis=1)
+    away = np.linalg.norm(linear_blend_skinning(posed.vertices_m, moves, few, weights) - wanted, axis=1)
     assert np.percentile(away, 95) < 0.02
     assert away.max() < 0.04
 
@@ -227,7 +229,8 @@ def test_usd_s_own_skinning_gives_our_pose_and_its_validators_find_nothing(clone
     assert body.ComputeSkinnedPoints(transforms, points, frame)
     ours = joint_transforms(clone.joints_m, GENERIC.joint_parents, motion.rotations[frame])
     wanted = (
-        skin(clone.vertices_m, ours, GENERIC.skin_joints, GENERIC.skin_weights.astype(float)) + motion.root_m[frame]
+        linear_blend_skinning(clone.vertices_m, ours, GENERIC.skin_joints, GENERIC.skin_weights.astype(float))
+        + motion.root_m[frame]
     )
     from cloner.generic.surfaces import load_surfaces
 

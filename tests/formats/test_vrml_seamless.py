@@ -13,7 +13,7 @@ import pytest
 from cloner.exporters.vrml.vrml97 import export
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
@@ -54,7 +54,7 @@ def test_every_picture_is_the_skin_that_the_joints_bend(wrl, clone) -> None:
         frame = int(np.abs(motion.times_s - keys[row] * motion.times_s[-1]).argmin())
         transforms = joint_transforms(own.joints_m, generic.joint_parents, motion.rotations[frame])
         joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(float)
-        wanted = skin(own.vertices_m, transforms, joints, weights)
+        wanted = linear_blend_skinning(own.vertices_m, transforms, joints, weights)
         assert np.abs(points[row] - wanted[body] - motion.root_m[frame]).max() < 0.001
 
 

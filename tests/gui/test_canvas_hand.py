@@ -10,7 +10,7 @@ from cloner.frames import BODY_VIEWS, ViewId
 from cloner.interactive.relinking import LiveOutline
 from cloner.records.photos import Photo, PhotoSet
 from cloner.vision.contours.outlines import extract_outline
-from cloner.vision.contours.stretches import make_linkable
+from cloner.vision.contours.stretches import prepare_linking
 from kit.drawn import AXES, CENTRE, photograph, rough_mask
 
 from .test_points_page import VIEW, canvas, drag, place_of  # noqa: F401 - the fixture is used by name
@@ -28,7 +28,7 @@ def drawn(window, qtbot):
     window.show_page(window.points)
     qtbot.waitUntil(lambda: session.points(VIEW) is not None and not session.busy)
     qtbot.waitUntil(lambda: not window.points.live.busy)
-    ready = make_linkable(rgb, mask)
+    ready = prepare_linking(rgb, mask)
     outline = LiveOutline(ready, (extract_outline(rgb, mask).loops[0].polygon,))
     window.points.live.take({VIEW: outline})
     page = window.points.views[VIEW]

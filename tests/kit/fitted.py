@@ -9,7 +9,7 @@ import numpy as np
 from cloner.frames import BODY_VIEWS
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.outlines.rims import fill_triangles
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -22,7 +22,9 @@ def seen(person, view):
     """Return the (V, 2) pixels of a joined person's vertices as a photo shows them."""
     generic, posed = load_generic(), person.views[view]
     moved = joint_transforms(person.joints_m, generic.joint_parents, posed.rotations)
-    return posed.camera.project(skin(person.vertices_m, moved, generic.skin_joints, generic.skin_weights))
+    return posed.camera.project(
+        linear_blend_skinning(person.vertices_m, moved, generic.skin_joints, generic.skin_weights)
+    )
 
 
 def joint_px(person, view, name):

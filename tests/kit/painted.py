@@ -5,7 +5,7 @@ import numpy as np
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from kit import people, studio
@@ -40,7 +40,7 @@ def posed(fit, view):
     """Return the vertices (V, 3) of a fit in one view's pose."""
     generic = load_generic()
     moved = joint_transforms(fit.joints_m, generic.joint_parents, fit.views[ViewId(view)].rotations)
-    return skin(fit.vertices_m, moved, generic.skin_joints, generic.skin_weights.astype(float))
+    return linear_blend_skinning(fit.vertices_m, moved, generic.skin_joints, generic.skin_weights.astype(float))
 
 
 def photograph(fit, colour_of_vertex, view, *, before=None):

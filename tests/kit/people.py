@@ -7,7 +7,7 @@ import trimesh
 
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import SIGMAS, pose_matrix, standing_pose
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 
 SOLE_M = 0.022
 HAIR_M = 0.012
@@ -39,7 +39,7 @@ class KnownPerson:
         """Return vertices and joints under (94, 3) joint rotations."""
         generic = load_generic()
         moved = joint_transforms(self.joints_m, generic.joint_parents, rotations)
-        vertices = skin(self.vertices_m, moved, generic.skin_joints, generic.skin_weights)
+        vertices = linear_blend_skinning(self.vertices_m, moved, generic.skin_joints, generic.skin_weights)
         return vertices, np.einsum("jab,jb->ja", moved[:, :3, :3], self.joints_m) + moved[:, :3, 3]
 
 

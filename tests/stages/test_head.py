@@ -17,7 +17,7 @@ from cloner.evaluate.measures import face_motion
 from cloner.frames import ViewId
 from cloner.generic.face_grids import eye_grid, eyeball
 from cloner.generic.load import load_generic
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.head.ears import ear_modes
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype
@@ -111,7 +111,7 @@ def face_error_mm(found: np.ndarray, true: np.ndarray) -> float:
     generic = load_generic()
     face = generic.region("face")[generic.head_vertices] & ~generic.region("mouth_interior")[generic.head_vertices]
     source, target = found[face], true[generic.head_vertices][face]
-    scale, rotation, shift = similarity(source, target)
+    scale, rotation, shift = similarity_alignment(source, target)
     return 1000.0 * float(np.linalg.norm(scale * source @ rotation.T + shift - target, axis=1).mean())
 
 
@@ -143,7 +143,7 @@ def test_ears_go_where_both_photos_show_them():
     away = {}
     for kind, ears in (("named", (both, near)), ("unnamed", ((), ()))):
         found = fit(*photographed(true, ears=ears)).values["head"].vertices_m
-        scale, rotation, shift = similarity(found[face], true[generic.head_vertices][face])
+        scale, rotation, shift = similarity_alignment(found[face], true[generic.head_vertices][face])
         error = scale * found[rows] @ rotation.T + shift - true[generic.head_vertices][rows]
         away[kind] = np.linalg.norm(error, axis=1).mean()
     assert away["unnamed"] > 0.004

@@ -15,7 +15,7 @@ from cloner.exporters.gltf import gltf
 from cloner.exporters.vrml import vrml97
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.outlines.contours import outline_field
 from cloner.hair.clothing import loose_clothes as loose
 from cloner.hair.clothing.loose_views import Hanging
@@ -108,7 +108,7 @@ def dressed(kind, seed=3):
 
 def posed_shell(fit, shell, rotations):
     moved = joint_transforms(fit.joints_m, load_generic().joint_parents, rotations)
-    return skin(shell.vertices_m, moved, shell.skin_joints, shell.skin_weights)
+    return linear_blend_skinning(shell.vertices_m, moved, shell.skin_joints, shell.skin_weights)
 
 
 @pytest.mark.parametrize("kind", ["short skirt", "long skirt", "coat"])
@@ -199,7 +199,7 @@ def test_walking_stretches_the_cloth_and_does_not_tear_it():
     step = np.zeros((94, 3))
     step[generic.joint("l_hip"), 0], step[generic.joint("r_hip"), 0] = -np.radians(25), np.radians(25)
     moved = joint_transforms(person.joints_m, generic.joint_parents, step)
-    after = skin(shell.vertices_m, moved, shell.skin_joints, shell.skin_weights)
+    after = linear_blend_skinning(shell.vertices_m, moved, shell.skin_joints, shell.skin_weights)
     edges = np.concatenate([shell.triangles[:, [0, 1]], shell.triangles[:, [1, 2]]])
     length = [np.linalg.norm(p[edges[:, 0]] - p[edges[:, 1]], axis=1) for p in (shell.vertices_m, after)]
     assert (length[1] / length[0]).max() < 4.0

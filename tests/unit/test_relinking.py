@@ -5,7 +5,7 @@ import numpy as np
 from cloner.interactive.relinking import LiveOutline, follow
 from cloner.records.points import Correction
 from cloner.vision.contours.outlines import extract_outline
-from cloner.vision.contours.stretches import make_linkable
+from cloner.vision.contours.stretches import prepare_linking
 from kit.drawn import AXES, CENTRE, photograph, rough_mask
 
 
@@ -21,7 +21,7 @@ def gap(step, point):
 
 def test_every_placed_point_lies_on_the_outline_and_only_what_moved_is_linked_again():
     rgb, mask = photograph(), rough_mask()
-    outline = LiveOutline(make_linkable(rgb, mask), (extract_outline(rgb, mask).loops[0].polygon,))
+    outline = LiveOutline(prepare_linking(rgb, mask), (extract_outline(rgb, mask).loops[0].polygon,))
     placed = {"waist_left": at(0.0, 8.0), "hip_left": at(90.0, -6.0), "l_knee": at(180.0, 40.0)}
     steps = follow(outline, (), placed)
     assert {step.name for step in steps} == {"waist_left", "hip_left"}, "joints lie on no outline"

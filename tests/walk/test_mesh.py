@@ -7,7 +7,7 @@ from cloner.cloning import CloneOutcome
 from cloner.evaluate.measures.crossings import buried_depths, self_crossings
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.meshes.triangles import areas, edges_of
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs.body import body_of
@@ -29,7 +29,9 @@ def sitting() -> np.ndarray:
 def test_sitting_down_folds_no_skin_deep_into_the_body(cloned_anna: CloneOutcome) -> None:
     generic, clone = load_generic(), centred(cloned_anna.values["clone"])
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), sitting())
-    points = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    points = linear_blend_skinning(
+        clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
+    )
     triangles = load_triangles()[(generic.vertex_part[load_triangles()] == 0).all(axis=1)]
     found = self_crossings(points, triangles)
     assert buried_depths(points, triangles, found).max() < 0.008, "metres; 60 mm with the rig's own weights"
@@ -40,7 +42,9 @@ def test_skin_stays_out_of_skin(cloned_anna: CloneOutcome, pose: str) -> None:
     generic, clone = load_generic(), centred(cloned_anna.values["clone"])
     rotations = np.zeros((94, 3)) if pose == "rest" else t_pose(body_of(clone))
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
-    points = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    points = linear_blend_skinning(
+        clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
+    )
     triangles = load_triangles()[(generic.vertex_part[load_triangles()] == 0).all(axis=1)]
     found = self_crossings(points, triangles)  # some 35 are slivers on an evened shoe's tip, .12 mm deep at most
     pressed = (generic.region("lips") | generic.region("mouth_interior"))[triangles].any(axis=1)

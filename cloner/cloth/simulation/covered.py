@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from cloner.cloth.simulation.moving import Worn
 from cloner.generic.load import load_generic
-from cloner.geometry.meshes.triangles import edges_of, sides
+from cloner.geometry.meshes.triangles import edges_of, triangle_sides
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
 
@@ -23,7 +23,7 @@ EVERY: Final = 3
 def covered(worn: Worn, frames_m: Array, deep_m: float = DEEP_M) -> NDArray[np.bool_]:
     """Return (V,) which vertices of the generic human lie so deep under cloth in all frames (F, N, 3), no hem near."""
     faces, body = worn.cloth.faces.astype(np.int32), worn.body
-    ends, count = np.unique(np.sort(sides(faces), axis=1), axis=0, return_counts=True)
+    ends, count = np.unique(np.sort(triangle_sides(faces), axis=1), axis=0, return_counts=True)
     hem = np.zeros(worn.cloth.count, dtype=bool)
     hem[ends[count == 1]] = True
     found = np.ones(len(body.rows), dtype=bool)

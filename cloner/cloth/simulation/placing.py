@@ -20,7 +20,7 @@ from cloner.cloth.drafting.sections import girth_of, hull_ring, wider
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.measurement.measures import UP, slice_points
 from cloner.geometry.meshes.vectors import unit
 from cloner.records.arrays import Array
@@ -128,7 +128,7 @@ class Band:
         """Return (P, 3) where the band is in a frame."""
         parents = load_generic().joint_parents.astype(np.int32)
         transforms = joint_transforms(self.clone.joints_m, parents, rotations)
-        return skin(self.places_m, transforms, self.joints, self.weights) + root_m
+        return linear_blend_skinning(self.places_m, transforms, self.joints, self.weights) + root_m
 
 
 def band(clone: Clone, places_m: Array, rows: Ints) -> Band:

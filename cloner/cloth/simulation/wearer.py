@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -45,7 +45,10 @@ class Wearer:
         generic = load_generic()
         transforms = joint_transforms(self.clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
         joints, weights = generic.skin_joints[self.rows].astype(np.int32), generic.skin_weights[self.rows]
-        return skin(self.clone.vertices_m[self.rows], transforms, joints, weights.astype(np.float64)) + root_m
+        return (
+            linear_blend_skinning(self.clone.vertices_m[self.rows], transforms, joints, weights.astype(np.float64))
+            + root_m
+        )
 
 
 def wearer(clone: Clone, *, whole: bool = False) -> Wearer:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from cloner.geometry.meshes.triangles import edges_of, sides
+from cloner.geometry.meshes.triangles import edges_of, triangle_sides
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.arrays import Array
 
@@ -94,7 +94,7 @@ def _quadrics(places: Array, faces: Whole) -> Array:
     surface = _planes(normals, places[faces[:, 0]], area / 2.0)
     for k in range(3):
         np.add.at(out, faces[:, k], surface)
-    edges = sides(faces)
+    edges = triangle_sides(faces)
     _, back, times = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
     open_ = np.flatnonzero(times[back.reshape(-1)] == 1)
     along = places[edges[open_, 1]] - places[edges[open_, 0]]

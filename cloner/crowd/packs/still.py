@@ -24,7 +24,7 @@ from cloner.crowd.staged.scene import ACTED, SCENES, Scene, places, scene_of
 from cloner.crowd.staged.staging import UP, Staging, finished, staging_of
 from cloner.errors import ClonerError
 from cloner.project.atomic import appears
-from cloner.vision.photographs.films import FORMATS, told_png, write_film
+from cloner.vision.photographs.films import FORMATS, png_text, write_film
 
 Pixels = NDArray[np.uint8]
 
@@ -98,7 +98,7 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
                 write_film(_film(painter, views[view]), FRAMES_PER_S, temporary, filmed(facts["people"]))
             else:
                 shown = Image.fromarray(painter.picture(views[view], STARTED_S))
-                shown.save(temporary, format="PNG", pnginfo=told_png(filmed(facts["people"])))
+                shown.save(temporary, format="PNG", pnginfo=png_text(filmed(facts["people"])))
     finally:
         theatre.close()
 

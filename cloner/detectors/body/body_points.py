@@ -27,7 +27,7 @@ from cloner.generic import seen_points
 from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.points import PhotoState, Proposal, ViewPoints, confidence_of
-from cloner.vision.segmentation.outline_walk import Figure, figure_of
+from cloner.vision.segmentation.outline_walk import SoftMask, soft_mask
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.body_points")
@@ -59,7 +59,7 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
     ValueError
         If the mask shows nobody.
     """
-    figure = figure_of(proposal.mask)
+    figure = soft_mask(proposal.mask)
     if figure is None:
         raise ValueError(f"{proposal.view}: the mask shows nobody")
     pose, states = corrected_pose(figure, proposal.pose_px, proposal.view)
@@ -87,7 +87,7 @@ def faces_image_right(pose_px: Array) -> bool:
     return bool(head + 0.5 * feet > 0)
 
 
-def with_cut_ends(figure: Figure, pose_px: Array, kind: str) -> Figure:
+def with_cut_ends(figure: SoftMask, pose_px: Array, kind: str) -> SoftMask:
     """Return the figure with ends beyond the photo's border placed where the pose puts them."""
     if not {"top", "bottom"} & set(figure.cut):
         return figure
@@ -103,7 +103,7 @@ def with_cut_ends(figure: Figure, pose_px: Array, kind: str) -> Figure:
     return replace(figure, top_px=top, bottom_px=bottom)
 
 
-def _front_points(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
+def _front_points(figure: SoftMask, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
     """Return points and states of a front or back photo."""
     kind, hair = KINDS[proposal.view], proposal.labels == Label.HAIR
     looks = (find_side(figure, pose, net.LEFT, kind, hair), find_side(figure, pose, net.RIGHT, kind, hair))
@@ -117,7 +117,7 @@ def _front_points(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Foun
     return found, front_states(figure, pose, proposal.pose_visibility, looks, found, proposal.view)
 
 
-def _sole(figure: Figure, pose: Array, look: SideFindings) -> tuple[Array, float]:
+def _sole(figure: SoftMask, pose: Array, look: SideFindings) -> tuple[Array, float]:
     """Return the lowest outline under an ankle."""
     ankle = pose[net.ANKLES[look.flank.side]]
     if "bottom" in figure.cut:
@@ -125,7 +125,7 @@ def _sole(figure: Figure, pose: Array, look: SideFindings) -> tuple[Array, float
     return np.array([ankle[0], sole_row(figure, look.flank, float(ankle[1]))]), END_ERROR
 
 
-def _side_points(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
+def _side_points(figure: SoftMask, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
     """Return points and states of a side photo."""
     right = faces_image_right(pose)
     near = net.RIGHT if right else net.LEFT
@@ -148,7 +148,7 @@ def _label_net_joints(found: Found, pose: Array, proposal: Proposal) -> Found:
     }
 
 
-def _head_and_feet(figure: Figure, pose: Array, proposal: Proposal) -> Found:
+def _head_and_feet(figure: SoftMask, pose: Array, proposal: Proposal) -> Found:
     """Return the head's top and the net's own points on head and feet, corrected for their mean errors."""
     offsets, view = load_offsets(KINDS[proposal.view]), proposal.view
     forwards = 1.0 if faces_image_right(pose) else -1.0

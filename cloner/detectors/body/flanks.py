@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.detectors.nets import pose_rows as net
 from cloner.geometry.meshes.vectors import arc_lengths
 from cloner.records.arrays import Array
-from cloner.vision.segmentation.outline_walk import Figure, Strip, gap_between, polyline, sample, walk_strip
+from cloner.vision.segmentation.outline_walk import SoftMask, Strip, gap_between, polyline, sample, walk_strip
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.flanks")
@@ -89,7 +89,7 @@ def polyline_columns(rows: Array, line_px: Array) -> Array:
     return np.interp(rows, down, line_px[:, 0])
 
 
-def find_side_contour(figure: Figure, pose_px: Array, side: int, hair: Bools) -> SideContour:
+def find_side_contour(figure: SoftMask, pose_px: Array, side: int, hair: Bools) -> SideContour:
     """Return the contour beside one side's axis.
 
     Parameters
@@ -123,7 +123,7 @@ def _leg(pose_px: Array, side: int, above: list[Array]) -> Array:
     return np.array([*above, *(pose_px[pair[side]] for pair in (net.HIPS, net.KNEES, net.ANKLES))])
 
 
-def _gap_beside_arm(figure: Figure, pose_px: Array, side: int, rows: Array, leg_px: Array) -> tuple[Array, Array]:
+def _gap_beside_arm(figure: SoftMask, pose_px: Array, side: int, rows: Array, leg_px: Array) -> tuple[Array, Array]:
     """Return the background (T,) between arm and trunk, and the columns (T,) of the arm's axis; NaN beside no arm."""
     line = arm_polyline(pose_px, side)
     beside = (rows >= line[0, 1]) & (rows <= line[:, 1].max())
@@ -135,7 +135,7 @@ def _gap_beside_arm(figure: Figure, pose_px: Array, side: int, rows: Array, leg_
     return gap, column
 
 
-def arm_strip(figure: Figure, pose_px: Array, side: int) -> tuple[Strip, Array]:
+def arm_strip(figure: SoftMask, pose_px: Array, side: int) -> tuple[Strip, Array]:
     """Return the contour across one arm, ``far`` outwards, and the path length (T,) from the shoulder, px."""
     line = arm_polyline(pose_px, side)
     places, along = polyline(line)

@@ -14,7 +14,7 @@ from cloner.calibration.loader import calibrated
 from cloner.detectors.body.flanks import SideContour, arm_strip
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
-from cloner.vision.segmentation.outline_walk import SMOOTH, Figure, Strip, extreme, gap_top, smoothed
+from cloner.vision.segmentation.outline_walk import SMOOTH, SoftMask, Strip, extreme, gap_top, smoothed
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.front_cues")
@@ -25,17 +25,17 @@ NECK_WIDER: Final = _CALIBRATED.number("neck_wider", "factor")
 _WRIST_WINDOW: Final = _CALIBRATED.pair("wrist_window", "factor")
 
 
-def level_of(figure: Figure, row: float) -> float:
+def level_of(figure: SoftMask, row: float) -> float:
     """Return the level of a picture row."""
     return float((figure.bottom_px[1] - row) / figure.height_px)
 
 
-def row_of(figure: Figure, level: float) -> float:
+def row_of(figure: SoftMask, level: float) -> float:
     """Return the picture row of a level."""
     return float(figure.bottom_px[1] - level * figure.height_px)
 
 
-def front_cues(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float]:
+def front_cues(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, float]:
     """Return levels by name, without those that cannot be seen."""
     side, other = flank.side, 1 - flank.side
     rows = {
@@ -58,7 +58,7 @@ def front_cues(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, 
     return {name: level_of(figure, row) for name, row in found.items()}
 
 
-def _gaps(figure: Figure, flank: SideContour) -> dict[str, float | None]:
+def _gaps(figure: SoftMask, flank: SideContour) -> dict[str, float | None]:
     """Return the entries at which the gaps below armpit and crotch open."""
     least = GAP * figure.height_px
     legs = np.where(np.isfinite(flank.strip.centres_px[:, 0]), flank.leg_gap, 0.0)
@@ -68,7 +68,7 @@ def _gaps(figure: Figure, flank: SideContour) -> dict[str, float | None]:
     }
 
 
-def _trunk(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
+def _trunk(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
     """Return the entries of neck, waist and hip at the extremes of the half width."""
     blur = SMOOTH * figure.height_px
     half = smoothed(np.where(flank.arm_outline, np.nan, flank.half_width), blur)
@@ -89,7 +89,7 @@ def _trunk(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, floa
     return found
 
 
-def _leg(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
+def _leg(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
     """Return the entries of the leg's narrowest and widest places."""
     width = smoothed(np.where(flank.leg_gap > 0.0, flank.strip.width, np.nan), SMOOTH * figure.height_px)
     hip, knee, ankle = (flank.place(float(pose_px[pair[flank.side], 1])) for pair in (net.HIPS, net.KNEES, net.ANKLES))
@@ -102,7 +102,7 @@ def _leg(figure: Figure, pose_px: Array, flank: SideContour) -> dict[str, float 
     }
 
 
-def sole_row(figure: Figure, flank: SideContour, ankle_row: float) -> float:
+def sole_row(figure: SoftMask, flank: SideContour, ankle_row: float) -> float:
     """Return the picture row of the lowest outline under one ankle."""
     start = round(flank.place(ankle_row))
     inside = np.isfinite(flank.strip.far[max(start, 0) :])
@@ -111,7 +111,7 @@ def sole_row(figure: Figure, flank: SideContour, ankle_row: float) -> float:
     return float(flank.rows[0] + max(start, 0) + max(last, 0)) if len(inside) else float(figure.bottom_px[1])
 
 
-def arm_cues(figure: Figure, pose_px: Array, side: int) -> tuple[dict[str, float], Strip, Array]:
+def arm_cues(figure: SoftMask, pose_px: Array, side: int) -> tuple[dict[str, float], Strip, Array]:
     """Return places along one arm as shares of its length, its strip, and the share (T,) at every entry."""
     strip, along = arm_strip(figure, pose_px, side)
     shoulder, elbow, wrist = (pose_px[pair[side]] for pair in (net.SHOULDERS, net.ELBOWS, net.WRISTS))

@@ -16,7 +16,7 @@ from cloner.detectors.body.levels import Levels, Offsets, infer_levels, load_lev
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
-from cloner.vision.segmentation.outline_walk import Figure, Strip, apex
+from cloner.vision.segmentation.outline_walk import SoftMask, Strip, gap_apex
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.front_features")
@@ -68,7 +68,7 @@ class SideFindings:
         return cue in self.cues and cue not in self.levels.refused
 
 
-def find_side(figure: Figure, pose_px: Array, side: int, kind: str, hair: NDArray[np.bool_]) -> SideFindings:
+def find_side(figure: SoftMask, pose_px: Array, side: int, kind: str, hair: NDArray[np.bool_]) -> SideFindings:
     """Return what pose and contour show along one side.
 
     Parameters
@@ -92,7 +92,7 @@ def find_side(figure: Figure, pose_px: Array, side: int, kind: str, hair: NDArra
     )
 
 
-def side_points(figure: Figure, pose_px: Array, look: SideFindings, kind: str) -> Found:
+def side_points(figure: SoftMask, pose_px: Array, look: SideFindings, kind: str) -> Found:
     """Return the named points of one side, joints too."""
     name = net.SIDES[look.flank.side]
     found = {f"{n}_{name}": placed for n, placed in _contour_points(figure, look).items()}
@@ -111,7 +111,7 @@ def side_points(figure: Figure, pose_px: Array, look: SideFindings, kind: str) -
     return found
 
 
-def _contour_point(figure: Figure, look: SideFindings, name: str, *, far: bool) -> Placed | None:
+def _contour_point(figure: SoftMask, look: SideFindings, name: str, *, far: bool) -> Placed | None:
     """Return the contour at a feature's level, with its expected error."""
     place = look.flank.place(row_of(figure, look.levels.level[name]))
     point = look.flank.strip.border_px(place, far=far)
@@ -128,7 +128,7 @@ def _level_error(spread: float) -> float:
     return MEAN_OF_NORMAL * spread
 
 
-def _contour_points(figure: Figure, look: SideFindings) -> Found:
+def _contour_points(figure: SoftMask, look: SideFindings) -> Found:
     """Return the points on the contours of trunk and leg."""
     flank, found = look.flank, dict[str, Placed]()
     for name in ("waist", "hip", "knee_outer", "ankle_outer", "knee_inner", "ankle_inner"):
@@ -141,7 +141,7 @@ def _contour_points(figure: Figure, look: SideFindings) -> Found:
     return found
 
 
-def _arm_contour_points(figure: Figure, look: SideFindings) -> Found:
+def _arm_contour_points(figure: SoftMask, look: SideFindings) -> Found:
     """Return the points on the arm's contours."""
     found: Found = {}
     length = look.arm_levels.level["net_length"]
@@ -154,13 +154,13 @@ def _arm_contour_points(figure: Figure, look: SideFindings) -> Found:
     return found
 
 
-def _is_arm(figure: Figure, look: SideFindings, place: float) -> bool:
+def _is_arm(figure: SoftMask, look: SideFindings, place: float) -> bool:
     """Return whether the contour across an arm's axis belongs to the arm alone."""
     width = look.arm.width[round(np.clip(place, 0, len(look.arm.near) - 1))]
     return bool(np.isfinite(width) and width < ARM_WIDTH * figure.height_px)
 
 
-def _shoulder(figure: Figure, pose_px: Array, look: SideFindings) -> Found:
+def _shoulder(figure: SoftMask, pose_px: Array, look: SideFindings) -> Found:
     """Return the base of the neck and the end of the shoulder, as shares of the shoulder width."""
     shoulders = pose_px[list(net.SHOULDERS)]
     middle, own = shoulders.mean(axis=0), shoulders[look.flank.side]
@@ -185,7 +185,7 @@ def _shoulder(figure: Figure, pose_px: Array, look: SideFindings) -> Found:
     return found
 
 
-def _armpit(figure: Figure, pose_px: Array, look: SideFindings, kind: str) -> Placed | None:
+def _armpit(figure: SoftMask, pose_px: Array, look: SideFindings, kind: str) -> Placed | None:
     """Return the top of the background between arm and trunk, None where it is not the armpit's."""
     flank = look.flank
     if not look.used("cue_armpit"):
@@ -198,7 +198,7 @@ def _armpit(figure: Figure, pose_px: Array, look: SideFindings, kind: str) -> Pl
 
 
 def crotch(
-    figure: Figure, looks: tuple[SideFindings, SideFindings], kind: str, labels: NDArray[np.uint8]
+    figure: SoftMask, looks: tuple[SideFindings, SideFindings], kind: str, labels: NDArray[np.uint8]
 ) -> Placed | None:
     """Return the top of the background between the legs, None where it is not the crotch.
 
@@ -223,7 +223,7 @@ def _under_a_hem(labels: NDArray[np.uint8], apex_px: Array, ends_px: Array, heig
 
 
 def _gap_point(
-    figure: Figure, look: SideFindings, name: str, kind: str, first_px: Array, second_px: Array
+    figure: SoftMask, look: SideFindings, name: str, kind: str, first_px: Array, second_px: Array
 ) -> Placed | None:
     """Return the top of a gap; its confidence falls with the distance from where it usually opens."""
     model = load_levels(kind)
@@ -232,10 +232,10 @@ def _gap_point(
     if away > GAP_ASTRAY:
         return None
     ordered = (first_px, second_px) if first_px[0] < second_px[0] else (second_px, first_px)
-    return apex(figure, *ordered), float(np.hypot(GAP_ERROR, away)) + MASK_ERROR
+    return gap_apex(figure, *ordered), float(np.hypot(GAP_ERROR, away)) + MASK_ERROR
 
 
-def joint_places(figure: Figure, pose_px: Array, look: SideFindings) -> dict[str, dict[str, Array]]:
+def joint_places(figure: SoftMask, pose_px: Array, look: SideFindings) -> dict[str, dict[str, Array]]:
     """Return positions of the joint centres before their mean error is subtracted.
 
     Each joint maps to places by source: ``net`` keeps the net's place across the limb,
@@ -258,7 +258,7 @@ def joint_places(figure: Figure, pose_px: Array, look: SideFindings) -> dict[str
     return found
 
 
-def foot_end(figure: Figure, pose_px: Array, look: SideFindings) -> Array | None:
+def foot_end(figure: SoftMask, pose_px: Array, look: SideFindings) -> Array | None:
     """Return the middle of the foot a little above its lowest row: the toes from the front, the heel from behind."""
     flank = look.flank
     sole = sole_row(figure, flank, float(pose_px[net.ANKLES[flank.side], 1]))
@@ -270,7 +270,7 @@ def foot_end(figure: Figure, pose_px: Array, look: SideFindings) -> Array | None
 
 
 def _corrected_joint(
-    figure: Figure, look: SideFindings, joint: str, places: Mapping[str, Array], offsets: Offsets
+    figure: SoftMask, look: SideFindings, joint: str, places: Mapping[str, Array], offsets: Offsets
 ) -> Placed:
     """Return a point's best position without its mean error, and the remaining error."""
     source = next(name for name in ("outline", "middle", "net") if name in places)

@@ -14,7 +14,7 @@ from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.points import PhotoState, StateKind
-from cloner.vision.segmentation.outline_walk import Figure
+from cloner.vision.segmentation.outline_walk import SoftMask
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.photo_states")
@@ -31,7 +31,7 @@ RAISED: Final = _CALIBRATED.number("raised", "share")
 _JOINTS: Final = {"net_shoulder": "shoulder", "net_hip": "hip", "net_knee": "knee", "net_ankle": "ankle"}
 
 
-def cut_states(figure: Figure, view: ViewId) -> list[PhotoState]:
+def cut_states(figure: SoftMask, view: ViewId) -> list[PhotoState]:
     """Return whether the picture's border cuts the person."""
     if not figure.cut:
         return []
@@ -40,7 +40,7 @@ def cut_states(figure: Figure, view: ViewId) -> list[PhotoState]:
     return [PhotoState(StateKind.CUT, "", f"the picture's {borders} border cuts the person; {advice}")]
 
 
-def turned_degrees(figure: Figure, pose_px: Array) -> float:
+def turned_degrees(figure: SoftMask, pose_px: Array) -> float:
     """Return how far the person of a front or back photo is turned, degrees, to the image's right positive."""
     toes, heels, ears, shoulders = (
         float(pose_px[list(pair), 0].mean()) for pair in (net.TOES, net.HEELS, net.EARS, net.SHOULDERS)
@@ -49,7 +49,7 @@ def turned_degrees(figure: Figure, pose_px: Array) -> float:
     return float(np.degrees(np.arcsin(np.clip(ahead @ _TURN, -1.0, 1.0))))
 
 
-def turned_states(figure: Figure, pose_px: Array, view: ViewId) -> list[PhotoState]:
+def turned_states(figure: SoftMask, pose_px: Array, view: ViewId) -> list[PhotoState]:
     """Return whether the person is turned away from the view that the photo's name says."""
     if view is ViewId.BODY_SIDE:
         apart = abs(float(pose_px[net.SHOULDERS[0], 0] - pose_px[net.SHOULDERS[1], 0])) / figure.height_px
@@ -65,7 +65,7 @@ def turned_states(figure: Figure, pose_px: Array, view: ViewId) -> list[PhotoSta
 
 
 def front_states(
-    figure: Figure,
+    figure: SoftMask,
     pose_px: Array,
     visibility: Array,
     looks: tuple[SideFindings, SideFindings],
@@ -91,7 +91,7 @@ def front_states(
     return states + _foot_states(figure, pose_px, visibility, looks, view)
 
 
-def _arm_states(figure: Figure, pose_px: Array, look: SideFindings, found: Found, view: ViewId) -> list[PhotoState]:
+def _arm_states(figure: SoftMask, pose_px: Array, look: SideFindings, found: Found, view: ViewId) -> list[PhotoState]:
     """Return whether an arm touches the trunk, and where its hand is."""
     side = net.SIDES[look.flank.side]
     shoulder, wrist = (float(pose_px[pair[look.flank.side], 1]) for pair in (net.SHOULDERS, net.WRISTS))
@@ -114,7 +114,7 @@ def _raised(pose_px: Array, side: int) -> bool:
     return bool(upper[1] < RAISED * np.linalg.norm(upper))
 
 
-def hand_hidden(figure: Figure, pose_px: Array, look: SideFindings) -> bool:
+def hand_hidden(figure: SoftMask, pose_px: Array, look: SideFindings) -> bool:
     """Return whether a wrist lies on trunk or thighs, with no background between."""
     wrist = pose_px[net.WRISTS[look.flank.side]]
     entry = round(look.flank.place(float(wrist[1])))
@@ -130,7 +130,7 @@ def hand_hidden(figure: Figure, pose_px: Array, look: SideFindings) -> bool:
     return bool(not apart and not narrow < 1.5 * ARM_HALF * figure.height_px)
 
 
-def _rejected_joints(figure: Figure, look: SideFindings) -> list[PhotoState]:
+def _rejected_joints(figure: SoftMask, look: SideFindings) -> list[PhotoState]:
     """Return the net's joints that contradict the rest of the body."""
     side, states = net.SIDES[look.flank.side], []
     for name, joint in _JOINTS.items():
@@ -141,7 +141,7 @@ def _rejected_joints(figure: Figure, look: SideFindings) -> list[PhotoState]:
     return states
 
 
-def _legs_together(figure: Figure, looks: tuple[SideFindings, SideFindings], view: ViewId) -> PhotoState:
+def _legs_together(figure: SoftMask, looks: tuple[SideFindings, SideFindings], view: ViewId) -> PhotoState:
     """Return that no gap between the legs shows the crotch."""
     ankle = max(row_of(figure, look.levels.level["joint_ankle"]) for look in looks)
     hip = min(row_of(figure, look.levels.level["joint_hip"]) for look in looks)
@@ -156,7 +156,7 @@ def _legs_together(figure: Figure, looks: tuple[SideFindings, SideFindings], vie
 
 
 def _foot_states(
-    figure: Figure, pose_px: Array, visibility: Array, looks: tuple[SideFindings, SideFindings], view: ViewId
+    figure: SoftMask, pose_px: Array, visibility: Array, looks: tuple[SideFindings, SideFindings], view: ViewId
 ) -> list[PhotoState]:
     """Return whether one foot hides the other, or something hides a foot."""
     ankles = pose_px[list(net.ANKLES)]

@@ -18,7 +18,7 @@ from cloner.detectors.nets.results import PoseResult
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.points import PhotoState, StateKind
-from cloner.vision.segmentation.outline_walk import EDGE, Figure
+from cloner.vision.segmentation.outline_walk import EDGE, SoftMask
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.pose_order")
@@ -32,7 +32,7 @@ OFF_LINE: Final = _CALIBRATED.number("off_line", "figure")
 _EXPECTED: Final = {ViewId.BODY_FRONT: 1.0, ViewId.BODY_BACK: -1.0}
 
 
-def corrected_pose(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:
+def corrected_pose(figure: SoftMask, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:
     """Return the pose with exchanged and misplaced joints corrected, and what was wrong.
 
     Parameters
@@ -118,7 +118,7 @@ def _swap_state(what: str) -> PhotoState:
     )
 
 
-def _joints_on_own_leg(figure: Figure, pose: Array) -> tuple[Array, list[PhotoState]]:
+def _joints_on_own_leg(figure: SoftMask, pose: Array) -> tuple[Array, list[PhotoState]]:
     """Return the pose with a knee or ankle on the other leg moved to the middle of its own."""
     pose, states = pose.copy(), []
     for name, pair in (("knee", net.KNEES), ("ankle", net.ANKLES)):
@@ -146,7 +146,7 @@ def _leg_column(pose: Array, side: int, row: float, joint: str) -> float:
 
 
 def _leg_runs(
-    figure: Figure, row: float, columns: Sequence[float]
+    figure: SoftMask, row: float, columns: Sequence[float]
 ) -> tuple[tuple[float, float], tuple[float, float]] | None:
     """Return the first and last column of the two runs nearest to two columns; None unless they are two."""
     at = round(row)
@@ -161,7 +161,7 @@ def _leg_runs(
     return (chosen[0], chosen[1]) if chosen[0] != chosen[1] else None
 
 
-def _joints_on_person(figure: Figure, pose: Array, view: ViewId) -> tuple[Array, list[PhotoState]]:
+def _joints_on_person(figure: SoftMask, pose: Array, view: ViewId) -> tuple[Array, list[PhotoState]]:
     """Return the pose with joints beside the person moved between their neighbours."""
     pose, states = pose.copy(), []
     seen = (net.LEFT, net.RIGHT) if view is not ViewId.BODY_SIDE else ()
@@ -184,7 +184,7 @@ def _joints_on_person(figure: Figure, pose: Array, view: ViewId) -> tuple[Array,
     return pose, states
 
 
-def _near_person(figure: Figure, point: Array) -> bool:
+def _near_person(figure: SoftMask, point: Array) -> bool:
     """Return whether a point lies on or close to the person; points beyond the photo do."""
     height, width = figure.level.shape
     if not (0 <= point[0] < width and 0 <= point[1] < height):

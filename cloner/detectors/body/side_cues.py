@@ -11,7 +11,7 @@ from cloner.detectors.body.flanks import ARM_HALF, REACH, SLACK, arm_polyline, p
 from cloner.detectors.body.front_cues import level_of
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
-from cloner.vision.segmentation.outline_walk import SMOOTH, Figure, Strip, extreme, sample, smoothed, walk_strip
+from cloner.vision.segmentation.outline_walk import SMOOTH, SoftMask, Strip, extreme, sample, smoothed, walk_strip
 
 Bools = NDArray[np.bool_]
 
@@ -59,7 +59,7 @@ def body_axis(pose_px: Array, near: int) -> Array:
     return np.array([*middles, pose_px[net.KNEES[near]], pose_px[net.ANKLES[near]]])
 
 
-def find_body_profile(figure: Figure, pose_px: Array, near: int, forwards: float, hair: Bools) -> BodyProfile:
+def find_body_profile(figure: SoftMask, pose_px: Array, near: int, forwards: float, hair: Bools) -> BodyProfile:
     """Return the contour before and behind the body.
 
     Parameters
@@ -89,7 +89,7 @@ def find_body_profile(figure: Figure, pose_px: Array, near: int, forwards: float
     return BodyProfile(near, forwards, rows, strip, front, back, close[0], close[1], veiled)
 
 
-def side_cues(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, float]:
+def side_cues(figure: SoftMask, pose_px: Array, profile: BodyProfile) -> dict[str, float]:
     """Return levels by name; what cannot be seen is absent (names as in ``front_cues``)."""
     near = profile.near
     rows = {
@@ -108,14 +108,14 @@ def side_cues(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str,
     return {name: level_of(figure, row) for name, row in found.items()}
 
 
-def _borders(figure: Figure, profile: BodyProfile) -> tuple[Array, Array]:
+def _borders(figure: SoftMask, profile: BodyProfile) -> tuple[Array, Array]:
     """Return the front and the back contour, smoothed, NaN where the arm may make them."""
     blur = SMOOTH * figure.height_px
     front = smoothed(np.where(profile.front_arm, np.nan, profile.front), blur)
     return front, smoothed(np.where(profile.back_arm, np.nan, profile.back), blur)
 
 
-def _upper(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, float | None]:
+def _upper(figure: SoftMask, pose_px: Array, profile: BodyProfile) -> dict[str, float | None]:
     """Return the entries of neck and trunk at the extremes of the contours."""
     front, back = _borders(figure, profile)
     bare = np.where(profile.back_veiled, np.nan, back)
@@ -138,7 +138,7 @@ def _upper(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, fl
     }
 
 
-def _lower(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, float | None]:
+def _lower(figure: SoftMask, pose_px: Array, profile: BodyProfile) -> dict[str, float | None]:
     """Return the entries of knee, calf, ankle and foot at the extremes of the contours."""
     front, back = _borders(figure, profile)
     hips = profile.place(float(pose_px[list(net.HIPS), 1].mean()))
@@ -157,7 +157,7 @@ def _lower(figure: Figure, pose_px: Array, profile: BodyProfile) -> dict[str, fl
     }
 
 
-def foot_ends(figure: Figure, profile: BodyProfile) -> tuple[Array | None, Array | None]:
+def foot_ends(figure: SoftMask, profile: BodyProfile) -> tuple[Array | None, Array | None]:
     """Return the foremost and rearmost contour point (2,) of the near foot, which is the lowest."""
     low = profile.rows > figure.bottom_px[1] - 0.035 * figure.height_px
     ends: list[Array | None] = []

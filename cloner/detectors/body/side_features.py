@@ -16,7 +16,7 @@ from cloner.detectors.body.levels import Levels, infer_levels, load_levels, load
 from cloner.detectors.body.side_cues import BodyProfile, find_body_profile, foot_ends, side_cues
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
-from cloner.vision.segmentation.outline_walk import Figure
+from cloner.vision.segmentation.outline_walk import SoftMask
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.side_features")
@@ -64,7 +64,7 @@ class ProfileFindings:
 
 
 def find_from_side(
-    figure: Figure, pose_px: Array, near: int, forwards: float, hair: NDArray[np.bool_]
+    figure: SoftMask, pose_px: Array, near: int, forwards: float, hair: NDArray[np.bool_]
 ) -> ProfileFindings:
     """Return what pose and contour of a side photo show (arguments as in ``find_body_profile``)."""
     profile = find_body_profile(figure, pose_px, near, forwards, hair)
@@ -72,7 +72,7 @@ def find_from_side(
     return ProfileFindings(profile, cues, infer_levels(load_levels("side"), cues))
 
 
-def profile_points(figure: Figure, pose_px: Array, look: ProfileFindings) -> Found:
+def profile_points(figure: SoftMask, pose_px: Array, look: ProfileFindings) -> Found:
     """Return the named points of a side photo, the near side's joints too."""
     profile, name = look.profile, net.SIDES[look.profile.near]
     found: Found = {}
@@ -94,7 +94,7 @@ def profile_points(figure: Figure, pose_px: Array, look: ProfileFindings) -> Fou
     return found
 
 
-def profile_joints(figure: Figure, pose_px: Array, look: ProfileFindings) -> dict[str, Array]:
+def profile_joints(figure: SoftMask, pose_px: Array, look: ProfileFindings) -> dict[str, Array]:
     """Return positions of the near side's joint centres before their mean error is subtracted."""
     places = {}
     for joint, pair in JOINTS.items():
@@ -105,7 +105,7 @@ def profile_joints(figure: Figure, pose_px: Array, look: ProfileFindings) -> dic
     return places
 
 
-def _instep(figure: Figure, look: ProfileFindings) -> Placed | None:
+def _instep(figure: SoftMask, look: ProfileFindings) -> Placed | None:
     """Return the contour before the ankle, if it is the near foot's."""
     profile, levels = look.profile, look.levels
     row = row_of(figure, levels.level["ankle_front"])
@@ -117,7 +117,7 @@ def _instep(figure: Figure, look: ProfileFindings) -> Placed | None:
     return None if point is None else (point, error + MASK_ERROR)
 
 
-def _contour_point(figure: Figure, look: ProfileFindings, name: str, *, in_front: bool) -> Placed | None:
+def _contour_point(figure: SoftMask, look: ProfileFindings, name: str, *, in_front: bool) -> Placed | None:
     """Return the contour at a feature's level with its expected error, None where arm or hair covers it."""
     profile = look.profile
     place = profile.place(row_of(figure, look.levels.level[name]))

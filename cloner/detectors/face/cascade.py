@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.records.arrays import Array
-from cloner.vision.photographs.gradients import describe
+from cloner.vision.photographs.gradients import gradient_histograms
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.cascade")
@@ -169,7 +169,9 @@ def describe_window(
         cv2.warpAffine(image, to_window, WINDOW_PX, flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
         for image in pictures
     ]
-    return np.concatenate([describe(seen[0]), describe(np.asarray(MASK_WEIGHT * seen[1], np.float32))])
+    return np.concatenate(
+        [gradient_histograms(seen[0]), gradient_histograms(np.asarray(MASK_WEIGHT * seen[1], np.float32))]
+    )
 
 
 def run_cascade(

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import FaceNet, load_face_net
-from cloner.geometry.deformation.completion import bring_along
+from cloner.geometry.deformation.completion import move_neighbours
 from cloner.records.arrays import Array
-from cloner.vision.contours.snake import Curve, Sign, SnakeParams, pull, snake_picture
+from cloner.vision.contours.snake import Curve, Sign, SnakeParams, run_snake, snake_picture
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_curves")
@@ -64,7 +64,9 @@ def pull_curves(rgb: NDArray[np.uint8], face_px: Array, irises_px: Array, net: F
         anchors = np.zeros(len(start))
         anchors[[0, -1]] = _END
         reach = REACH_IOD * iod * float(linear[0, 0])
-        small, trust = pull(picture, Curve(start @ linear.T + shift, False, anchors, sign), SnakeParams(reach, SPRING))
+        small, trust = run_snake(
+            picture, Curve(start @ linear.T + shift, False, anchors, sign), SnakeParams(reach, SPRING)
+        )
         out[name] = PulledCurve(start, (small - shift) @ np.linalg.inv(linear).T, trust)
     return out
 
@@ -90,4 +92,4 @@ def refine_face(rgb: NDArray[np.uint8], face_px: Array, irises_px: Array) -> Arr
     _, first = np.unique(np.round(starts, 6), axis=0, return_index=True)  # lids share their corners
     starts, goals = starts[first], goals[first]
     moved = np.arange(len(starts) + len(face_px)) < len(starts)
-    return bring_along(np.vstack([starts, face_px]), moved, goals, reach_px=_FOLLOW_IOD * iod)[len(starts) :]
+    return move_neighbours(np.vstack([starts, face_px]), moved, goals, reach_px=_FOLLOW_IOD * iod)[len(starts) :]

@@ -21,7 +21,7 @@ from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.records.arrays import Array
 from cloner.records.points import Proposal
 from cloner.remembered import once_each
-from cloner.vision.contours.snake import look_along, normals, snake_picture
+from cloner.vision.contours.snake import normals, sample_along_normals, snake_picture
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_side")
@@ -172,7 +172,7 @@ def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, laid: Fitted
     picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * laid.size, unit=_UNIT_PX)
     small = curve @ small_from_photo[:, :2].T + small_from_photo[:, 2]
     reach = _EDGE_REACH_M * laid.size * float(small_from_photo[0, 0])
-    offsets, seen = look_along(picture, small, normals(small, closed=False), reach)
+    offsets, seen = sample_along_normals(picture, small, normals(small, closed=False), reach)
     slope = np.linalg.norm(np.gradient(seen, offsets[1] - offsets[0], axis=1), axis=2) / np.sqrt(seen.shape[2])
     share = float((slope[:, 2:-2].max(axis=1) > _EDGE_LEVELS).mean())
     return float(np.clip((_EDGE_SHARE - share) / (0.7 * _EDGE_SHARE), 0.0, 1.0))

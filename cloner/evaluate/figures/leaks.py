@@ -18,7 +18,7 @@ from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
-from cloner.geometry.cameras.seeing import look
+from cloner.geometry.cameras.seeing import visibility
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -125,7 +125,7 @@ def _seen_beside(
     clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _Judged
 ) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
     """Return (N, 2) pixels and (N, 3) colours of the texels that the camera sees near the true outline."""
-    sight = look(pose_clone(clone, generic, seen.rotations).vertices_m, atlas.triangles, seen.camera)
+    sight = visibility(pose_clone(clone, generic, seen.rotations).vertices_m, atlas.triangles, seen.camera)
     values = atlas.interpolate(np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine]))
     height, width = judged.truth.mask.shape
     column, row = np.rint(values[:, :2]).astype(np.int64).T

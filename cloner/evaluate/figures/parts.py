@@ -12,7 +12,7 @@ from cloner.evaluate.figures.origins import Origins
 from cloner.evaluate.truths.kit import KitTruth
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import depth_at, look, nearest_of
+from cloner.geometry.cameras.seeing import depth_at, depth_picture, visibility
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.records.views import Camera
@@ -85,7 +85,7 @@ def _true_labels(origins: Origins, kit: KitTruth, on_body: Flags) -> tuple[NDArr
     rows = np.flatnonzero(on_body)
     for view, labels in kit.labels.items():
         camera, body_m = kit.truth.views[view].camera, kit.bodies_m[view]
-        sight = look(body_m, triangles, camera)
+        sight = visibility(body_m, triangles, camera)
         table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine])
         values = np.einsum("nk,nkc->nc", origins.barycentric[rows], table[origins.vertices[rows]])
         visible = sight.visible(values[:, :2], values[:, 2], values[:, 3])
@@ -120,7 +120,7 @@ def _limb_pictures(generic: GenericHuman, body_m: Array, camera: Camera) -> tupl
     """Return the depth pictures of left arm, right arm and the rest, and pixels within `NEAR_M` in them."""
     triangles = body_triangles()
     limb = _limb_of_vertex(generic)[triangles]
-    pictures = [nearest_of(body_m, triangles[(limb == k).all(axis=1)], camera) for k in (0, 1, 2)]
+    pictures = [depth_picture(body_m, triangles[(limb == k).all(axis=1)], camera) for k in (0, 1, 2)]
     return pictures, NEAR_M / camera.metres_per_pixel(body_m.mean(axis=0))
 
 

@@ -14,7 +14,7 @@ from cloner.evaluate.measures.rulers import apply
 from cloner.evaluate.measures.surfaces import TriangleSurface, seen_from_outside
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS, SHELL_REGIONS
@@ -84,7 +84,7 @@ def _labelled(
     )
     for shell in clone.shells:
         start = sum(map(len, vertices))
-        loose = skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+        loose = linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
         vertices.append(apply(truth_from_clone, loose))
         triangles.append(shell.triangles + np.int32(start))
         labels.append(np.full(len(shell.triangles), REGIONS.index(SHELL_REGIONS[shell.kind]), dtype=np.uint8))

@@ -15,7 +15,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import vertex_uv
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
-from cloner.geometry.cameras.seeing import look
+from cloner.geometry.cameras.seeing import visibility
 from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.arrays import Array
@@ -107,7 +107,7 @@ def _photo_jumps(clone: Clone, generic: GenericHuman, photos: Photos, edges: Edg
         if view not in clone.views:
             continue
         seen = clone.views[view]
-        sight = look(
+        sight = visibility(
             pose_clone(clone, generic, seen.rotations).vertices_m, triangles[skin].astype(np.int32), seen.camera
         )
         cosine = np.where(sight.visible(sight.pixel_px, sight.depth_m, sight.cosine), sight.cosine, -1.0)

@@ -14,7 +14,7 @@ from cloner.generic.face_grids import Grid, eye_grid, eyeball, lips_apart, mouth
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.meshes.surface import over
+from cloner.geometry.meshes.surface import overlaps_triangles
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
@@ -164,7 +164,7 @@ def teeth_through(shape_m: Array) -> float:
     generic = load_generic()
     teeth = shape_m[np.concatenate([generic.part("teeth_upper"), generic.part("teeth_lower")])]
     corners = shape_m[_front_skin()]
-    covers, u, v = over(teeth[:, :2], corners[..., :2])
+    covers, u, v = overlaps_triangles(teeth[:, :2], corners[..., :2])
     depth = corners[:, 0, 2] + u * (corners[:, 1, 2] - corners[:, 0, 2]) + v * (corners[:, 2, 2] - corners[:, 0, 2])
     front = np.where(covers, depth, -np.inf).max(axis=1)
     covered = covers.any(axis=1)

@@ -17,9 +17,9 @@ from cloner.geometry.articulation.poses import SIGMAS, pose_matrix
 from cloner.geometry.articulation.skinning import (
     blend_transforms,
     joint_transforms,
+    linear_blend_skinning,
     posed_joints,
     rotation_matrices,
-    skin,
 )
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -84,7 +84,7 @@ def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> Posed:
     """
     transforms = joint_transforms(clone.joints_m, _parents(generic), rotations)
     skin_joints, skin_weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
-    vertices = skin(clone.vertices_m, transforms, skin_joints, skin_weights)
+    vertices = linear_blend_skinning(clone.vertices_m, transforms, skin_joints, skin_weights)
     joints = posed_joints(transforms, clone.joints_m)
     names = list(clone.features_m)
     if not names:
@@ -207,7 +207,7 @@ def _trunk(
     rest = np.array([clone.features_m[name] for name in names]).reshape(-1, 3)
     vertices = np.array([generic.feature(name) for name in names], dtype=np.int64)
     joints, weights = generic.skin_joints[vertices].astype(np.int32), generic.skin_weights[vertices].astype(np.float64)
-    return names, lambda transforms: skin(rest, transforms, joints, weights)
+    return names, lambda transforms: linear_blend_skinning(rest, transforms, joints, weights)
 
 
 def hand_vertices(generic: GenericHuman) -> dict[str, int]:

@@ -11,7 +11,7 @@ from scipy.ndimage import binary_erosion, distance_transform_edt
 from skimage.color import deltaE_ciede2000, rgb2gray, rgb2lab
 from skimage.metrics import structural_similarity
 
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.pieces import box_around
 
@@ -90,7 +90,7 @@ def fit_similarity(source: Array, target: Array, *, scale: bool) -> Array:
     scale : bool
         Whether a uniform scale is free (similarity) or one (rigid).
     """
-    factor, rotation, shift = similarity(source, target)
+    factor, rotation, shift = similarity_alignment(source, target)
     transform = np.eye(4)
     transform[:3, :3] = factor * rotation if scale else rotation
     transform[:3, 3] = shift if scale else target.mean(axis=0) - rotation @ source.mean(axis=0)

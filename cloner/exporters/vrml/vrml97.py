@@ -32,7 +32,7 @@ from cloner.exporters.vrml.vrml_segments import SkinMesh, appearance_text, quote
 from cloner.exporters.vrml.vrml_views import viewpoints
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.rest import in_hanging_pose
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import Moves, own_motions
@@ -192,7 +192,7 @@ def _pictures(clone: Clone, generic: GenericHuman, motion: Motion, parts: list[_
             points = mesh.vertices_m[rows].copy()
             for name, offsets in moved.items():
                 points += float(motion.weights[name][frame]) * offsets[mesh.vertex[rows]]
-            texts.append(_whole(skin(points, transforms, joints, weights) + motion.root_m[frame]))
+            texts.append(_whole(linear_blend_skinning(points, transforms, joints, weights) + motion.root_m[frame]))
         yield f"DEF {motion.name}_skin_{number} CoordinateInterpolator {{ key [ {keys} ] keyValue [\n"
         yield "".join(texts)
         yield "] }\n"

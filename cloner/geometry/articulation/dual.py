@@ -15,7 +15,7 @@ from cloner.geometry.meshes.vectors import cross
 from cloner.records.arrays import Array
 
 
-def skin_dual(
+def dual_quaternion_skinning(
     vertices_m: Array,
     transforms: Array,
     parents: NDArray[np.integer],

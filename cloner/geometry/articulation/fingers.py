@@ -1,4 +1,4 @@
-"""How hands lie at rest: where palms face, and about which axis the knuckles of a finger curl."""
+"""Hands at rest: palm normals and curl axes of the knuckles."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FINGERS: Final = ("index", "middle", "ring", "pinky")
 
 
 class Jointed(Protocol):
-    """Whoever has joints with H-Anim's names: ``joints_m`` (J, 3) in the rest pose, and the number of each name."""
+    """Anything with H-Anim joints: ``joints_m`` (J, 3) in the rest pose, and each name's index."""
 
     @property
     def joints_m(self) -> NDArray[np.floating[Any]]:
@@ -25,14 +25,14 @@ class Jointed(Protocol):
 
 
 def palm_normal(body: Jointed, side: str) -> Array:
-    """Return (3,) the direction that the palm of a side, "l" or "r", faces at rest."""
+    """Return the normal (3,) of a side's palm, "l" or "r", at rest."""
     wrist, index, little = (body.joints_m[body.joint(f"{side}_{name}")] for name in ("wrist", "index1", "pinky1"))
     normal = np.cross(index - wrist, little - wrist) * (-1.0 if side == "l" else 1.0)
     return np.asarray(normal / np.linalg.norm(normal))
 
 
 def knuckles(body: Jointed, side: str, finger: str) -> tuple[list[int], Array]:
-    """Return a finger's three joints from the hand outwards, and the unit axis (3,) at rest about which all curl."""
+    """Return a finger's three joints from the hand outwards, and the unit axis (3,) at rest about which they curl."""
     joints = [body.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]
     axis = np.cross(body.joints_m[joints[2]] - body.joints_m[joints[0]], palm_normal(body, side))
     axis /= np.linalg.norm(axis)

@@ -1,4 +1,4 @@
-"""The degrees of freedom a standing person uses, as one short vector."""
+"""The degrees of freedom of a standing person, as one short vector."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ X, Y, Z = 0, 1, 2
 
 
 @dataclass(frozen=True, slots=True)
-class Freedom:
+class PoseFreedom:
     """One angle of the pose vector.
 
     Attributes
@@ -38,15 +38,15 @@ class Freedom:
     sigma: float
 
 
-def _sided(name: str, joint: str, axis: int, degrees: float) -> list[Freedom]:
-    return [Freedom(f"{side}_{name}", (f"{side}_{joint}",), axis, math.radians(degrees)) for side in "lr"]
+def _sided(name: str, joint: str, axis: int, degrees: float) -> list[PoseFreedom]:
+    return [PoseFreedom(f"{side}_{name}", (f"{side}_{joint}",), axis, math.radians(degrees)) for side in "lr"]
 
 
 _SPINE = ("vl5", "vl3", "vl1", "vt10", "vt6", "vt3")
 _NECK = ("vc7", "vc4", "skullbase")
 
 #: Spreads in degrees are taste, after watching visitors stand.
-FREEDOMS: tuple[Freedom, ...] = (
+FREEDOMS: tuple[PoseFreedom, ...] = (
     *(
         f
         for axis, spread in ((X, 9.0), (Y, 9.0), (Z, 20.0))
@@ -60,8 +60,8 @@ FREEDOMS: tuple[Freedom, ...] = (
     *_sided("ankle_bend", "ankle", X, 5.0),
     *_sided("ankle_turn", "ankle", Y, 6.0),
     *_sided("ankle_roll", "ankle", Z, 5.0),
-    *(Freedom(f"spine_{'xyz'[a]}", _SPINE, a, math.radians(d)) for a, d in ((X, 6.0), (Y, 2.5), (Z, 3.0))),
-    *(Freedom(f"neck_{'xyz'[a]}", _NECK, a, math.radians(d)) for a, d in ((X, 10.0), (Y, 8.0), (Z, 6.0))),
+    *(PoseFreedom(f"spine_{'xyz'[a]}", _SPINE, a, math.radians(d)) for a, d in ((X, 6.0), (Y, 2.5), (Z, 3.0))),
+    *(PoseFreedom(f"neck_{'xyz'[a]}", _NECK, a, math.radians(d)) for a, d in ((X, 10.0), (Y, 8.0), (Z, 6.0))),
 )
 
 SIGMAS: Array = np.array([freedom.sigma for freedom in FREEDOMS])
@@ -77,7 +77,7 @@ def mirrored_freedoms() -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
 
 
 def pose_matrix(joint_names: Sequence[str]) -> Array:
-    """Return the (94 * 3, D) matrix that spreads a pose vector over all joints.
+    """Return the (94 * 3, D) matrix from a pose vector to all joints' rotation vectors.
 
     Raises
     ------
@@ -94,7 +94,7 @@ def pose_matrix(joint_names: Sequence[str]) -> Array:
     return matrix
 
 
-def _turn(start: Array, end: Array) -> Array:
+def _rotation_between(start: Array, end: Array) -> Array:
     """Return the shortest rotation vector from one direction to another."""
     start, end = start / np.linalg.norm(start), end / np.linalg.norm(end)
     axis = np.cross(start, end)
@@ -103,7 +103,7 @@ def _turn(start: Array, end: Array) -> Array:
 
 
 def standing_pose(joint_names: Sequence[str], joints_m: Array) -> Array:
-    """Return the pose vector of a person who stands with arms a little apart.
+    """Return the pose vector of a person who stands with arms slightly abducted.
 
     Parameters
     ----------
@@ -120,9 +120,9 @@ def standing_pose(joint_names: Sequence[str], joints_m: Array) -> Array:
     pose = np.zeros(len(FREEDOMS))
     for side, sign in (("l", 1.0), ("r", -1.0)):
         shoulder, elbow, wrist = (joints_m[index[f"{side}_{name}"]] for name in ("shoulder", "elbow", "wrist"))
-        upper = _turn(elbow - shoulder, np.array([sign * 0.50, -0.866, 0.0]))
+        upper = _rotation_between(elbow - shoulder, np.array([sign * 0.50, -0.866, 0.0]))
         raised = rotation_matrices(upper[None])[0]
-        fore = _turn(wrist - elbow, raised.T @ np.array([sign * 0.40, -0.90, 0.14]))
+        fore = _rotation_between(wrist - elbow, raised.T @ np.array([sign * 0.40, -0.90, 0.14]))
         for axis in range(3):
             pose[column[f"{side}_shoulder_{'xyz'[axis]}"]] = upper[axis]
             pose[column[f"{side}_elbow_{'xyz'[axis]}"]] = fore[axis]

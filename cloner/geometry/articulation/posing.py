@@ -1,4 +1,4 @@
-"""Chosen points of the generic human as a function of shape and pose, with exact derivatives.
+"""Points of the generic human as a function of shape and pose, with exact derivatives.
 
 Built once per fit for the few vertices and joints that matter.
 
@@ -16,14 +16,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, turning_axes
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_axes
 from cloner.geometry.meshes.vectors import cross
 from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Moved:
-    """Posed points and how they move.
+class PosedPoints:
+    """Posed points with their derivatives.
 
     Attributes
     ----------
@@ -38,8 +38,8 @@ class Moved:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Chosen:
-    """Some points of a linear shape model; a joint is a point that hangs on itself alone.
+class PointModel:
+    """Some points of a linear shape model; a joint is a point that depends on itself alone.
 
     Attributes
     ----------
@@ -64,12 +64,12 @@ class Chosen:
     start: Array | float = 0.0
 
     def rotations(self, pose: Array) -> Array:
-        """Return (J, 3) rotation vectors of a pose vector."""
+        """Return the rotation vectors (J, 3) of a pose vector."""
         return np.asarray(self.start + self.pose @ pose).reshape(-1, 3)
 
-    def part(self, rows: slice | NDArray[np.integer]) -> Chosen:
+    def part(self, rows: slice | NDArray[np.integer]) -> PointModel:
         """Return the model of some of the points."""
-        return Chosen(
+        return PointModel(
             self.mean_m[rows],
             self.basis_m[rows],
             self.joints_mean_m,
@@ -82,11 +82,11 @@ class Chosen:
         )
 
     def posed(self, shape: Array, pose: Array) -> Array:
-        """Return (N, 3) posed points, metres; missing coefficients are zero."""
+        """Return posed points (N, 3), metres; missing coefficients are zero."""
         return np.asarray(np.einsum("nk,nka->na", self.skin_weights, self._shares(shape, pose)[0]))
 
     def _shares(self, shape: Array, pose: Array) -> tuple[Array, Array, Array]:
-        """Return (N, K, 3) places that each joint alone would give the points, (J, 4, 4) transforms, (J, 3) joints."""
+        """Return the points (N, K, 3) as each joint alone would place them, transforms (J, 4, 4) and joints (J, 3)."""
         count = len(shape)
         rest = self.mean_m + self.basis_m[..., :count] @ shape
         joints = self.joints_mean_m + self.joints_basis_m[..., :count] @ shape
@@ -95,20 +95,20 @@ class Chosen:
         shares = (own[..., :3, :3] @ rest[:, None, :, None])[..., 0] + own[..., :3, 3]
         return shares, transforms, posed_joints(transforms, joints)
 
-    def moved(self, shape: Array, pose: Array) -> Moved:
+    def moved(self, shape: Array, pose: Array) -> PosedPoints:
         """Return the posed points with their derivatives by shape and pose."""
         shares, transforms, joints = self._shares(shape, pose)
         points = np.einsum("nk,nka->na", self.skin_weights, shares)
         below = descendants(self.parents)
         turns = transforms[:, :3, :3]
-        return Moved(
+        return PosedPoints(
             points,
             self._by_shape(turns, below, len(shape)),
             self._by_pose(turns, below, shares, joints, self.rotations(pose)),
         )
 
     def _by_shape(self, turns: Array, below: Array, count: int) -> Array:
-        """Return (N, 3, C): the point moves in its joint's frame, and with the joints above it."""
+        """Return the derivatives (N, 3, C): the point moves in its joint's frame, and with the joints above it."""
         parent_turns = np.where((self.parents >= 0)[:, None, None], turns[self.parents], np.eye(3))
         basis = self.joints_basis_m[..., :count]
         slip = below.T @ ((parent_turns - turns) @ basis).reshape(len(turns), -1)
@@ -120,9 +120,9 @@ class Chosen:
         return np.asarray(moved)
 
     def _by_pose(self, turns: Array, below: Array, shares: Array, joints: Array, rotations: Array) -> Array:
-        """Return (N, 3, D): cross products of turning axes and lever arms."""
+        """Return the derivatives (N, 3, D): cross products of rotation axes and lever arms."""
         rows = np.flatnonzero(self.pose.any(axis=1))
-        axes = _world_axes(turns, self.parents, rotations).transpose(0, 2, 1).reshape(-1, 3)[rows]
+        axes = _world_rotation_axes(turns, self.parents, rotations).transpose(0, 2, 1).reshape(-1, 3)[rows]
         used, at = np.unique(rows // 3, return_inverse=True)
         hangs = below[used][:, self.skin_joints] * self.skin_weights  # (U, N, K)
         arms = np.einsum("unk,nka->una", hangs, shares) - hangs.sum(axis=2)[..., None] * joints[used, None]
@@ -139,7 +139,7 @@ def descendants(parents: NDArray[np.integer]) -> Array:
     return below
 
 
-def _world_axes(turns: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
-    """Return (J, 3, 3), columns: axes about which a joint turns when a component of its rotation vector grows."""
+def _world_rotation_axes(turns: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
+    """Return (J, 3, 3), columns: rotation axes of a joint for each component of its rotation vector."""
     above = np.where((parents >= 0)[:, None, None], turns[parents], np.eye(3))
-    return np.asarray(above @ turning_axes(rotations))
+    return np.asarray(above @ rotation_axes(rotations))

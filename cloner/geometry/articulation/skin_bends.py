@@ -1,4 +1,4 @@
-"""Bend a skin at a few places and nowhere else: smooth bumps of a limited reach, raised together.
+"""Local bends of a skin: smooth bumps of limited radius, solved together.
 
 A bump is 1 at its place and falls to 0, with slope and curvature, on an ellipsoid around it. What is near in space but
 far along the skin - the arm beside a flank, the other thigh - is left out.
@@ -26,7 +26,7 @@ ROUND, SLACK_M, FADE_M = 1.6, 0.03, 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Place:
+class EdgePoint:
     """A point on an edge of a mesh: ``(1 - share) * first + share * second``."""
 
     first: int
@@ -34,13 +34,13 @@ class Place:
     share: float
 
     def at(self, values: Array) -> Array:
-        """Return the value of a (V, ...) vertex field at the place."""
+        """Return the value of a (V, ...) vertex field at the point."""
         return np.asarray((1.0 - self.share) * values[self.first] + self.share * values[self.second])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SkinMetric:
-    """The topology of a skin and its lengths; made once for the generic human.
+    """Topology and edge lengths of a skin; made once for the generic human.
 
     Attributes
     ----------
@@ -78,8 +78,8 @@ def skin_metric(vertices_m: Array, triangles: NDArray[np.integer]) -> SkinMetric
     return SkinMetric(triangles, edges, beside, SurfaceGraph((half + half.T).tocsr()), areas(vertices_m, triangles))
 
 
-def bump(vertices_m: Array, along_m: Array, place: Place, axes: Array, reach_m: Array) -> tuple[Ints, Array]:
-    """Return the vertices within reach of a place, and the bump's height there: 1 at the place.
+def bump(vertices_m: Array, along_m: Array, place: EdgePoint, axes: Array, reach_m: Array) -> tuple[Ints, Array]:
+    """Return the vertices within the radius of a point, and the bump's height there: 1 at the point.
 
     ``(1 - s²)³`` with s = 1 on the ellipsoid of reaches.
 
@@ -100,7 +100,7 @@ def bump(vertices_m: Array, along_m: Array, place: Place, axes: Array, reach_m: 
     return inside[kept], height[kept]
 
 
-def smallest_step(matrix: Array, wanted: Array, at_most: NDArray[np.bool_], damping: float) -> Array:
+def least_norm_step(matrix: Array, wanted: Array, at_most: NDArray[np.bool_], damping: float) -> Array:
     """Return the smallest x with ``matrix @ x = wanted``, or ``<= wanted`` where that is enough.
 
     Parameters

@@ -15,21 +15,21 @@ INFLUENCES: Final = 4
 
 
 def dense_weights(joints: NDArray[np.integer], weights: Array, count: int) -> Array:
-    """Return (N, J) the weight of each of ``count`` joints on vertices that tell joints and weights (N, k)."""
+    """Return the weights (N, J) of ``count`` joints on vertices with joints and weights (N, k)."""
     whole = np.zeros((len(joints), count))
     np.add.at(whole, (np.arange(len(joints))[:, None], joints), weights)
     return whole
 
 
-def strongest(weights: Array) -> tuple[NDArray[np.int32], Array]:
-    """Return the joints and weights (N, 4) of the strongest four of all joints' weights (N, J), summing to one."""
+def strongest_weights(weights: Array) -> tuple[NDArray[np.int32], Array]:
+    """Return the joints and weights (N, 4) of the four largest of all joints' weights (N, J), summing to one."""
     joints = np.argsort(-weights, axis=1, kind="stable")[:, :INFLUENCES]
     kept = np.take_along_axis(weights, joints, axis=1)
     return joints.astype(np.int32), kept / np.maximum(kept.sum(axis=1, keepdims=True), 1e-12)
 
 
 def skew(vectors: Array) -> Array:
-    """Return the matrices (..., 3, 3) that make cross products with vectors (..., 3)."""
+    """Return the cross product matrices (..., 3, 3) of vectors (..., 3)."""
     x, y, z = np.moveaxis(vectors, -1, 0)
     zero = np.zeros_like(x)
     return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*vectors.shape, 3)
@@ -43,8 +43,8 @@ def rotation_matrices(rotations: Array) -> Array:
     return np.asarray(np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross))
 
 
-def turning_axes(rotations: Array) -> Array:
-    """Return (..., 3, 3), columns: axes about which things turn as components of rotation vectors (..., 3) grow."""
+def rotation_axes(rotations: Array) -> Array:
+    """Return (..., 3, 3), columns: rotation axes for each component of rotation vectors (..., 3)."""
     angle = np.linalg.norm(rotations, axis=-1)[..., None, None]
     safe = np.maximum(angle, 1e-9)
     axis = rotations / safe[..., 0]
@@ -54,7 +54,7 @@ def turning_axes(rotations: Array) -> Array:
 
 
 def joint_transforms(joints_m: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
-    """Return (..., J, 4, 4) posed-from-rest transforms of all joints; leading axes hold poses that are tried at once.
+    """Return (..., J, 4, 4) posed-from-rest transforms of all joints; leading axes are alternative poses.
 
     Parameters
     ----------
@@ -93,7 +93,9 @@ def posed_joints(transforms: Array, joints_m: Array) -> Array:
     return np.asarray(np.einsum("jab,jb->ja", transforms[:, :3, :3], joints_m) + transforms[:, :3, 3])
 
 
-def skin(vertices_m: Array, transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array) -> Array:
+def linear_blend_skinning(
+    vertices_m: Array, transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array
+) -> Array:
     """Return (V, 3) posed vertices by linear blend skinning, metres."""
     blended = blend_transforms(transforms, skin_joints, skin_weights)
     return np.asarray(np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3])

@@ -1,4 +1,4 @@
-"""How posed points move when joints turn a little."""
+"""Derivatives of posed points by small rotations of joints."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from cloner.geometry.meshes.vectors import cross
 from cloner.records.arrays import Array
 
 
-def below(parents: NDArray[np.integer], joint: int) -> NDArray[np.bool_]:
-    """Return (J,) whether a joint is ``joint`` itself or hangs on it; parents come before children."""
+def is_below(parents: NDArray[np.integer], joint: int) -> NDArray[np.bool_]:
+    """Return whether a joint is ``joint`` itself or a descendant, (J,); parents come before children."""
     hangs = np.zeros(len(parents), dtype=bool)
     hangs[joint] = True
     for row in range(joint + 1, len(parents)):
@@ -19,22 +19,22 @@ def below(parents: NDArray[np.integer], joint: int) -> NDArray[np.bool_]:
     return hangs
 
 
-def carried_share(
+def subtree_weights(
     parents: NDArray[np.integer], joint: int, skin_joints: NDArray[np.integer], skin_weights: Array
 ) -> Array:
-    """Return (V,) the share of each vertex that a joint and all joints below it carry."""
-    return np.asarray((skin_weights * below(parents, joint)[skin_joints]).sum(axis=1))
+    """Return the summed skinning weight (V,) of a joint and all its descendants on each vertex."""
+    return np.asarray((skin_weights * is_below(parents, joint)[skin_joints]).sum(axis=1))
 
 
-def turned_motion(posed_m: Array, pivot_m: Array, axes: Array, share: Array) -> Array:
-    """Return (V, 3, A) motion of posed points per radian of a joint's turn about each axis.
+def rotation_jacobian(posed_m: Array, pivot_m: Array, axes: Array, share: Array) -> Array:
+    """Return the derivatives (V, 3, A) of posed points by a joint's rotation about each axis, per radian.
 
     Parameters
     ----------
     posed_m : (V, 3) posed points
     pivot_m : (3,) posed joint
     axes : (A, 3) unit axes, posed frame
-    share : (V,) from :func:`carried_share`
+    share : (V,) from :func:`subtree_weights`
 
     Notes
     -----
@@ -45,6 +45,6 @@ def turned_motion(posed_m: Array, pivot_m: Array, axes: Array, share: Array) -> 
     return np.asarray(np.stack([cross(axis, arm) for axis in axes], axis=2))
 
 
-def turned_rotation(rotation: Array, turn: Array) -> Array:
-    """Return the (3,) rotation vector of ``rotation`` followed by ``turn``, both in the parent's axes."""
+def compose_rotations(rotation: Array, turn: Array) -> Array:
+    """Return the rotation vector (3,) of ``rotation`` followed by ``turn``, both in the parent's axes."""
     return np.asarray((Rotation.from_rotvec(turn) * Rotation.from_rotvec(rotation)).as_rotvec())

@@ -1,1 +1,1 @@
-"""Cameras: where they stand, what they see of a surface, and pose from known points."""
+"""Cameras: placement, visibility of surfaces, pose from known points."""

@@ -1,4 +1,4 @@
-"""How pixels move with what is seen and with its camera: the one camera and the one Jacobian of all fits.
+"""Motion of a camera and derivatives of projected points: the one camera and the one Jacobian of all fits.
 
 Every way to tell where a camera stands - a small motion, the six numbers of a tripod - moves what is seen by a turn
 about the camera and a shift. So pixels are differentiated once, by turn and shift, and a camera's own numbers by a
@@ -15,7 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cloner.geometry.articulation.skinning import rotation_matrices, skew, turning_axes
+from cloner.geometry.articulation.skinning import rotation_axes, rotation_matrices, skew
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -24,7 +24,7 @@ ORIGIN = np.zeros(3)
 
 
 def moved_camera(camera: Camera, motion: Array, pivot: Array = ORIGIN) -> Camera:
-    """Return the camera after a turn and a shift of the world in front of it.
+    """Return the camera after a rotation and a translation of the world in front of it.
 
     Parameters
     ----------
@@ -41,14 +41,16 @@ def moved_camera(camera: Camera, motion: Array, pivot: Array = ORIGIN) -> Camera
     return replace(camera, camera_from_model=pose)
 
 
-def motion_twists(motion: Array, pivot: Array = ORIGIN) -> Array:
-    """Return the (6, 6) twists of `moved_camera`'s numbers: turn about the camera and shift that each one makes."""
-    turns = turning_axes(motion[:3])
+def motion_jacobian(motion: Array, pivot: Array = ORIGIN) -> Array:
+    """Return the (6, 6) derivatives of rotation and translation about the camera by `moved_camera`'s parameters."""
+    turns = rotation_axes(motion[:3])
     return np.block([[turns, np.zeros((3, 3))], [skew(pivot + motion[3:]) @ turns, np.eye(3)]])
 
 
 def projection_derivatives(camera: Camera, points_m: Array) -> tuple[Array, Array, Array]:
-    """Return pixels (N, 2), their change with the points (N, 2, 3) and with the camera's turn and shift (N, 2, 6)."""
+    """Return pixels (N, 2) and their derivatives by the points (N, 2, 3) and by camera rotation and translation (N, 2,
+    6).
+    """
     inside = camera.to_camera(points_m)
     by_inside = np.zeros((len(inside), 2, 3))
     if camera.pixels_per_m is not None:

@@ -1,4 +1,4 @@
-"""What one camera sees of a posed surface: where, how steeply, and what hides it."""
+"""Visibility of a posed surface from one camera: projection, obliqueness, occlusion."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ STEEPEST_TANGENT = 3.0  # steeper ones would let a limb 5 cm in front pass
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Sight:
+class Visibility:
     """A posed mesh as one camera sees it.
 
     Attributes
@@ -51,9 +51,9 @@ class Sight:
     behind_m: NDArray[np.float32]
     metres_per_pixel: float
 
-    def mirrored(self, mirror: NDArray[np.integer]) -> Sight:
-        """Return the sight in which every vertex is seen where its twin is."""
-        return Sight(
+    def mirrored(self, mirror: NDArray[np.integer]) -> Visibility:
+        """Return the visibility with every vertex where its mirror twin is."""
+        return Visibility(
             self.pixel_px[mirror],
             self.depth_m[mirror],
             self.cosine[mirror],
@@ -66,7 +66,7 @@ class Sight:
     def visible(
         self, pixel_px: NDArray[np.floating], depth_m: NDArray[np.floating], cosine: NDArray[np.floating]
     ) -> NDArray[np.bool_]:
-        """Return which of (N,) surface points the camera sees.
+        """Return which surface points (N,) the camera sees.
 
         A point is seen when it faces the camera, lies in the picture and
         nothing lies nearer than it by more than the tolerance, which grows with the slope.
@@ -79,12 +79,12 @@ class Sight:
     def before_edge(
         self, pixel_px: NDArray[np.floating], depth_m: NDArray[np.floating], cosine: NDArray[np.floating]
     ) -> NDArray[np.bool_]:
-        """Return which of (N,) points lie beside a surface well behind them, whose colour may have crept over."""
+        """Return which points (N,) lie beside a surface well behind them, whose colour may have bled over."""
         behind = depth_at(self.behind_m, pixel_px)
         return behind > depth_m + EDGE_JUMP_M + self._rise(cosine, EDGE_WIDTH_PX + 1)
 
     def _rise(self, cosine: NDArray[np.floating], reach_px: int) -> NDArray[np.floating]:
-        """Return how much depth a surface of this slope gains over some depth pixels, metres."""
+        """Return the depth gain of a surface of this slope over some depth pixels, metres."""
         tangent = np.sqrt(np.clip(1.0 - cosine * cosine, 0.0, None)) / np.maximum(cosine, 1e-3)
         return np.asarray(np.minimum(tangent, STEEPEST_TANGENT) * reach_px * self.metres_per_pixel)
 
@@ -95,7 +95,7 @@ def depth_pixels(pixel_px: NDArray[np.floating]) -> NDArray[np.floating]:
 
 
 def depth_at(picture_m: NDArray[np.float32], pixel_px: NDArray[np.floating]) -> NDArray[np.float32]:
-    """Return a depth picture's values at (N, 2) photo pixels, nearest neighbour, NaN outside."""
+    """Return a depth picture's values at photo pixels (N, 2), nearest neighbour, NaN outside."""
     column, row = (np.rint(depth_pixels(pixel_px[:, axis])).astype(np.int32) for axis in (0, 1))
     height, width = picture_m.shape
     # what is left of the picture or above it counts as far beyond, without a sign
@@ -104,8 +104,8 @@ def depth_at(picture_m: NDArray[np.float32], pixel_px: NDArray[np.floating]) -> 
     return np.where(inside, values, np.float32(np.nan))
 
 
-def nearest_of(points_m: Array, triangles: NDArray[np.int32], camera: Camera) -> NDArray[np.float32]:
-    """Return the (h, w) depth picture at ``DEPTH_SCALE`` of a surface, metres, inf where there is none."""
+def depth_picture(points_m: Array, triangles: NDArray[np.int32], camera: Camera) -> NDArray[np.float32]:
+    """Return the depth picture (h, w) of a surface at ``DEPTH_SCALE``, metres, inf where there is none."""
     width, height = int(camera.width_px * DEPTH_SCALE), int(camera.height_px * DEPTH_SCALE)
     if len(points_m) == 0:
         return np.full((height, width), np.inf, np.float32)
@@ -114,17 +114,17 @@ def nearest_of(points_m: Array, triangles: NDArray[np.int32], camera: Camera) ->
     return nearest_depth(pixel, depth, triangles, width, height)
 
 
-def facing(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> NDArray[np.int32]:
-    """Return the triangles whose outside the camera may see."""
+def front_facing(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> NDArray[np.int32]:
+    """Return the triangles that face the camera."""
     corners = camera.project(posed_m)[triangles]
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     return np.asarray(triangles[first[:, 0] * second[:, 1] < first[:, 1] * second[:, 0]])  # y runs down in photos
 
 
-def look(
+def visibility(
     posed_m: Array, triangles: NDArray[np.int32], camera: Camera, occluders: NDArray[np.int32] | None = None
-) -> Sight:
-    """Return what the camera sees of a posed mesh.
+) -> Visibility:
+    """Return the visibility of a posed mesh.
 
     Parameters
     ----------
@@ -132,20 +132,20 @@ def look(
     triangles : (T, 3) int32
     camera : Camera
     occluders : (O, 3) int32, optional
-        Triangles that can hide others, all by default; of a closed surface :func:`facing` ones do, in a third of the
-        time.
+        Triangles that can hide others, all by default; of a closed surface :func:`front_facing` is enough, in a
+        third of the time.
     """
     towards = camera.position_m - posed_m
     if camera.pixels_per_m is not None:
         towards = np.broadcast_to(-camera.camera_from_model[2, :3], posed_m.shape)
     towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
     cosine = np.einsum("vk,vk->v", vertex_normals(posed_m, triangles), towards)
-    nearest = nearest_of(posed_m, triangles if occluders is None else occluders, camera)
+    nearest = depth_picture(posed_m, triangles if occluders is None else occluders, camera)
     reach = 2 * OCCLUDER_GROWTH_PX + 1
     guarded = cv2.erode(nearest, np.ones((reach, reach), np.uint8), borderValue=np.inf)
     width = 2 * EDGE_WIDTH_PX + 1
     behind = cv2.dilate(np.where(np.isfinite(nearest), nearest, np.float32(0.0)), np.ones((width, width), np.uint8))
-    return Sight(
+    return Visibility(
         pixel_px=camera.project(posed_m),
         depth_m=camera.to_camera(posed_m)[:, 2],
         cosine=cosine,

@@ -1,4 +1,4 @@
-"""Where a camera stands and looks, as six numbers that photographers would use."""
+"""Camera placement by six parameters that photographers use."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _turns(stand: Array) -> tuple[Array, Array, Array]:
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]), tilt, heading
 
 
-def placed_camera(stand: Array, like: Camera) -> Camera:
+def camera_from_stand(stand: Array, like: Camera) -> Camera:
     """Return the camera of a stand with the size and focal length of another.
 
     Parameters
@@ -50,8 +50,8 @@ def _place(stand: Array) -> Array:
     return np.array([distance * math.sin(azimuth), height, distance * math.cos(azimuth)])
 
 
-def stand_of(camera: Camera) -> Array:
-    """Return the (6,) stand of a camera."""
+def stand_from_camera(camera: Camera) -> Array:
+    """Return the stand (6,) of a camera."""
     rotation, place = camera.camera_from_model[:3, :3], camera.position_m
     azimuth = math.atan2(place[0], place[2])
     forward = rotation[2]
@@ -64,15 +64,15 @@ def stand_of(camera: Camera) -> Array:
     return np.array([azimuth, float(place[1]), math.hypot(place[0], place[2]), facing, pitch, roll])
 
 
-def projected(stand: Array, like: Camera, points_m: Array) -> tuple[Array, Array, Array]:
-    """Return pixels (N, 2), their change with the points (N, 2, 3) and with the stand (N, 2, 6)."""
-    camera = placed_camera(stand, like)
+def project_from_stand(stand: Array, like: Camera, points_m: Array) -> tuple[Array, Array, Array]:
+    """Return pixels (N, 2) and their derivatives by the points (N, 2, 3) and by the stand (N, 2, 6)."""
+    camera = camera_from_stand(stand, like)
     pixels, by_points, by_step = projection_derivatives(camera, points_m)
-    return pixels, by_points, by_step @ _twists(stand, camera.camera_from_model[:3, :3])
+    return pixels, by_points, by_step @ _stand_jacobian(stand, camera.camera_from_model[:3, :3])
 
 
-def _twists(stand: Array, rotation: Array) -> Array:
-    """Return the (6, 6) turns about the camera and shifts that the stand's numbers make."""
+def _stand_jacobian(stand: Array, rotation: Array) -> Array:
+    """Return the (6, 6) derivatives of rotation and translation about the camera by the stand's parameters."""
     roll, tilt, _ = _turns(stand)
     azimuth, distance = stand[AZIMUTH], stand[DISTANCE]
     away, aside = (

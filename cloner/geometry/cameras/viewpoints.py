@@ -1,4 +1,4 @@
-"""Cameras that look at a body from a named side, or at points where a photo shows them."""
+"""Cameras that frame a body from a given side, or that match points in a photo."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def framing_cameras(
 def facing_camera(
     points_m: Array, points_px: Array, *, azimuth: float, focal_px: float, width_px: int, height_px: int
 ) -> Camera:
-    """Return an upright camera that sees the points at their size and middle in the photo.
+    """Return an upright camera that sees the points at their size and centre in the photo.
 
     Parameters
     ----------

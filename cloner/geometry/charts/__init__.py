@@ -1,1 +1,1 @@
-"""Texture charts: the atlas, planar charts of surfaces, which photo paints what."""
+"""Texture charts: the atlas, planar charts of surfaces, and the assignment of photos to the surface."""

@@ -1,4 +1,4 @@
-"""The texture atlas: which triangle, and where in it, every texel shows."""
+"""The texture atlas: the triangle and barycentric coordinates of every texel."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
-from cloner.geometry.meshes.rasters import cover
+from cloner.geometry.meshes.rasters import rasterise
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,7 +68,7 @@ class Window:
 
 
 def colours_at(picture: NDArray[np.uint8], uv: NDArray[np.floating]) -> NDArray[np.uint8]:
-    """Return (N, C) the texels of a texture (h, w, C) that hold places (N, 2), uv in 0..1, v downwards."""
+    """Return the texels (N, C) of a texture (h, w, C) at points (N, 2), uv in 0..1, v downwards."""
     size = np.array(picture.shape[1::-1])
     column, row = np.clip((uv * size).astype(np.int64), 0, size - 1).T
     return np.asarray(picture[row, column])
@@ -95,7 +95,7 @@ def map_atlas(
     """
     part = window or Window(0, 0, size, size)
     points = np.asarray(uv, float) * size - 0.5 - (part.left, part.top)
-    texel, triangle, weight = cover(points, uv_triangles, part.width, part.height)
+    texel, triangle, weight = rasterise(points, uv_triangles, part.width, part.height)
     if window is not None:  # tables by triangle are then as small as the window
         shown = np.zeros(len(triangles), np.bool_)
         shown[triangle] = True

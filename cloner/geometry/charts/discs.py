@@ -1,4 +1,4 @@
-"""Patches of skin laid out over a disc without a fold, and domes whose every place one direction reaches.
+"""Fold-free parametrisation of skin patches over a disc, and star-shaped domes.
 
 References
 ----------
@@ -27,8 +27,8 @@ ROUNDS: Final = 20
 TAKEN_BACK: Final = 0.7
 
 
-def even_disc(triangles: Index, wanted: Array, rim_flat: Array, laid: Callable[[Array], Array]) -> Array:
-    """Return (N, B) shares of the rim's B vertices that place every vertex of a patch, without folds, evenly.
+def even_disc_weights(triangles: Index, wanted: Array, rim_flat: Array, laid: Callable[[Array], Array]) -> Array:
+    """Return the weights (N, B) of the rim's B vertices for every vertex of a patch, evenly and without folds.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Colour of the irises and of the whites around them, sampled in a photo."""
+"""Colours of irises, sclera and skin around the eyes in a photo."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LEAST_PIXELS: Final = 12
 
 
 def sample_iris(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], centres_px: Array, radius_px: float) -> Array | None:
-    """Return the median colour (3,) of the irises' rings, or None when they are too small, veiled or off the photo.
+    """Return the median colour (3,) of the irises' rings, None when too small, covered or outside the photo.
 
     The ring from 0.45 to 0.85 of the radius leaves out pupil and rim; the lid shades its upper half, which does not
     count; the brightest tenth are reflections.
@@ -57,8 +57,8 @@ def sample_iris(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], centres_px: A
     return np.asarray(np.median(colours[light <= np.quantile(light, 0.9)], axis=0))
 
 
-def white_to_skin(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Array, irises_px: Array) -> Array | None:
-    """Return how much lighter the whites of the eyes are than the skin around them, or None where too few are seen.
+def sclera_to_skin(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Array, irises_px: Array) -> Array | None:
+    """Return how much lighter the sclera is than the skin around the eyes, None where too little is seen.
 
     Lids shade the upper white and lashes its rim, so the lighter half of what lies beside the irises counts.
 
@@ -96,9 +96,9 @@ def white_to_skin(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Ar
 def skin_around_eyes(
     rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Array, irises_px: Array
 ) -> Array | None:
-    """Return the median colour (3,) of the skin around both eyes, 1 level at least, None where too little is seen.
+    """Return the median colour (3,) of the skin around both eyes, at least 1 level, None where too little is seen.
 
-    Parameters are those of :func:`white_to_skin`.
+    Parameters are those of :func:`sclera_to_skin`.
     """
     reach = int(_eye_px(face_px))
     top, left = max(int(irises_px[:, 1].min()) - reach, 0), max(int(irises_px[:, 0].min()) - reach, 0)

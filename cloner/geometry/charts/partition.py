@@ -1,4 +1,4 @@
-"""Which photo paints which part of the surface, with bands in which two photos mix.
+"""Assignment of surface parts to photos, with blend bands between them.
 
 References
 ----------
@@ -22,7 +22,7 @@ _UNDECIDED = -2
 
 
 def partition_surface(scores: Array, graph: SurfaceGraph, *, smoothing: int) -> NDArray[np.int32]:
-    """Return (V,) the photo that owns each vertex, -1 where none sees it.
+    """Return the photo (V,) that owns each vertex, -1 where none sees it.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ def partition_surface(scores: Array, graph: SurfaceGraph, *, smoothing: int) -> 
     soft = graph.smooth(scores.T.copy(), smoothing).T * (scores > 0.0)
     owner = soft.argmax(axis=0).astype(np.int32)
     owner[soft.max(axis=0) <= 0.0] = -1
-    return without_crumbs(np.asarray(owner, np.int32), scores, graph)
+    return without_small_islands(np.asarray(owner, np.int32), scores, graph)
 
 
-def without_crumbs(owner: NDArray[np.int32], scores: Array, graph: SurfaceGraph) -> NDArray[np.int32]:
-    """Return (V,) owners with islands of few vertices given to the photo around them that shows them, or to none.
+def without_small_islands(owner: NDArray[np.int32], scores: Array, graph: SurfaceGraph) -> NDArray[np.int32]:
+    """Return the owners (V,), islands of few vertices given to the surrounding photo that shows them, or to none.
 
     Beside an arm that hides it a flank shows in crumbs, and their light is that of the arm's shade.
     """
@@ -57,8 +57,8 @@ def without_crumbs(owner: NDArray[np.int32], scores: Array, graph: SurfaceGraph)
     return np.asarray(np.where(found == _UNDECIDED, -1, found), np.int32)
 
 
-def border_shares(owner: NDArray[np.int32], count: int, graph: SurfaceGraph, band_m: NDArray[np.floating]) -> Array:
-    """Return (K, V) shares alpha = (1 + d / L) / 2 of every photo.
+def blend_weights(owner: NDArray[np.int32], count: int, graph: SurfaceGraph, band_m: NDArray[np.floating]) -> Array:
+    """Return the weights (K, V) alpha = (1 + d / L) / 2 of every photo.
 
     Parameters
     ----------

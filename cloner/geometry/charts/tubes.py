@@ -1,4 +1,4 @@
-"""Cloth as a tube around an axis: radii over heights and angles, cut into two charts."""
+"""Cloth as a tube around an axis: radii by height and angle, cut into two charts."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def directions(angles: Array) -> Array:
     return np.stack([np.sin(angles), np.cos(angles)], axis=1)
 
 
-def hull_radii(points_m: Array, centre_m: Array, angles: Array) -> Array:
-    """Return (A,) distances from a centre to the convex hull of points, zero where it lies outside of the hull.
+def convex_hull_radii(points_m: Array, centre_m: Array, angles: Array) -> Array:
+    """Return distances (A,) from a centre to the convex hull of points, zero where it lies outside the hull.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def hull_radii(points_m: Array, centre_m: Array, angles: Array) -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Tube:
-    """A tube's mesh; front and back are charts of their own.
+    """A tube's mesh; front and back are separate charts.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Planar charts for a blob: by direction, in as many layers as lie behind each other, packed into a square."""
+"""Planar charts for a closed mesh: by direction, in as many layers as overlap, packed into a square."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def unwrap(vertices_m: Array, triangles: NDArray[np.int32], size: int) -> Unwrap
     axis = np.abs(normal).argmax(axis=1)
     positive = normal[np.arange(len(normal)), axis] > 0
     layer = _add_layers(vertices_m, triangles, 2 * axis + positive)
-    chart = _apart(triangles, layer)
+    chart = _split_connected(triangles, layer)
     names = np.zeros(int(chart.max(initial=-1)) + 1, np.int64)
     names[chart] = layer
     key, inverse = np.unique(chart[:, None] * len(vertices_m) + triangles, return_inverse=True)
@@ -77,13 +77,13 @@ def _add_layers(vertices_m: Array, triangles: NDArray[np.int32], direction: NDAr
         away = vertices_m[:, name // 2] * (-1.0 if name % 2 else 1.0)
         rows = np.flatnonzero(direction == name)
         while rows.size:
-            rows = rows[_hidden(flat, away, triangles[rows])]
+            rows = rows[_occluded(flat, away, triangles[rows])]
             chart[rows] += 6
     return chart
 
 
-def _hidden(flat_m: Array, away_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Return (T,) which triangles others hide in part; the nearest of every pile is never one of them."""
+def _occluded(flat_m: Array, away_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return which triangles (T,) others cover in part; the nearest of every stack is never one of them."""
     flat = (flat_m - flat_m[triangles].min(axis=(0, 1))) / LAYER_GRID_M
     width, height = (np.ceil(flat[triangles].max(axis=(0, 1))).astype(int) + 1).tolist()
     found = [
@@ -103,8 +103,8 @@ def _hidden(flat_m: Array, away_m: Array, triangles: NDArray[np.int32]) -> NDArr
     return hidden
 
 
-def _apart(triangles: NDArray[np.int32], chart: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return (T,) charts cut into connected pieces: boxes around scattered triangles would waste the square."""
+def _split_connected(triangles: NDArray[np.int32], chart: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return charts (T,) split into connected components: boxes around scattered triangles would waste space."""
     count = len(triangles)
     sides = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
     key = np.stack([np.repeat(chart, 3), sides[:, 0], sides[:, 1]])

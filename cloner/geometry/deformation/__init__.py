@@ -1,1 +1,1 @@
-"""Shapes that change: free-form deformation, completion, shape coefficients from points and curves."""
+"""Deformation: free-form deformation and piecewise affine completion."""

@@ -19,7 +19,7 @@ REACH: Final = 0.16
 
 
 def fit_affine(source: Array, target: Array) -> Array:
-    """Return the (3, 2) map of (x, y, 1) that lays points on others best.
+    """Return the (3, 2) map of (x, y, 1) that best aligns points with others.
 
     One pair gives a shift, two or collinear ones a similarity, more an affine map by least squares.
 
@@ -40,7 +40,7 @@ def fit_affine(source: Array, target: Array) -> Array:
 
 
 def complete_points(generic: Array, keys: Rows, keys_px: Array) -> Array:
-    """Return all points from the key points: one affine map for all, and one for each triangle of key points.
+    """Return all points from the key points: one global affine map, and one for each triangle of key points.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def complete_points(generic: Array, keys: Rows, keys_px: Array) -> Array:
 
 
 def interpolate(corners: Array, values: Array, places: Array) -> Array:
-    """Return values (N, 2) at places inside the Delaunay triangles of corners (K, 2), linear in each."""
+    """Return values (N, 2) at points inside the Delaunay triangles of corners (K, 2), linear in each."""
     mesh = Delaunay(corners)
     found = np.maximum(mesh.find_simplex(places, tol=1e-9), 0)
     rest = np.einsum("nab,nb->na", mesh.transform[found, :2], places - mesh.transform[found, 2])
@@ -90,10 +90,10 @@ def interpolate(corners: Array, values: Array, places: Array) -> Array:
     return np.asarray(np.einsum("nk,nka->na", shares, values[mesh.simplices[found]]))
 
 
-def bring_along(
+def move_neighbours(
     points_px: Array, moved: NDArray[np.bool_], targets_px: Array, *, reach_px: float | None = None
 ) -> Array:
-    """Return points of which some were moved, with their neighbours brought along.
+    """Return points after some were moved, their neighbours following.
 
     The moved points and all that lie out of their reach are key points; what lies between follows by completion.
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
-from cloner.geometry.meshes.triangles import sides
+from cloner.geometry.meshes.triangles import triangle_sides
 from cloner.records.arrays import Array, freeze
 
 Triangles = NDArray[np.int32]
@@ -26,7 +26,7 @@ CALF_SPAN: Final = (0.25, 0.85)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TapeRules:
-    """What the measures need to know of a mesh's topology; nothing of the person.
+    """The topology of a mesh that measures need; nothing about the person.
 
     Attributes
     ----------
@@ -101,7 +101,7 @@ def slice_points(vertices_m: Array, triangles: Triangles, point_m: Array, normal
 def slice_values(values: Array, vertices_m: Array, triangles: Triangles, point_m: Array, normal: Array) -> Array:
     """Return (N, D) values (V, D) of the vertices where the triangles' edges cross a plane, as in `slice_points`."""
     side = (vertices_m - point_m) @ normal
-    edges = sides(triangles)
+    edges = triangle_sides(triangles)
     first, second = edges[:, 0], edges[:, 1]
     crossing = (side[first] < 0.0) != (side[second] < 0.0)
     first, second = first[crossing], second[crossing]
@@ -132,7 +132,7 @@ def girth_mm(vertices_m: Array, triangles: Triangles, point_m: Array, normal: Ar
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Plane:
-    """Where a tape lies round one part.
+    """The plane of a tape around one part.
 
     Attributes
     ----------
@@ -150,7 +150,7 @@ class Plane:
     segments: tuple[str, ...]
 
     def girth_mm(self, vertices_m: Array) -> float:
-        """Return what the tape reads, mm."""
+        """Return the girth in the plane, mm."""
         return girth_mm(vertices_m, self.triangles, self.point_m, self.normal)
 
 
@@ -179,18 +179,18 @@ def girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str,
     rules : TapeRules
     """
     planes = girth_planes(vertices_m, joints_m, rules)
-    return {name: read_mm(vertices_m, planes[key]) for name, key in TRUTH_GIRTHS.items()}
+    return {name: mean_girth_mm(vertices_m, planes[key]) for name, key in TRUTH_GIRTHS.items()}
 
 
-def read_mm(vertices_m: Array, planes: Sequence[Plane]) -> float:
-    """Return the mean of what a tape reads in planes: both sides of a limb."""
+def mean_girth_mm(vertices_m: Array, planes: Sequence[Plane]) -> float:
+    """Return the mean girth of some planes, mm: both sides of a limb."""
     return float(np.mean([plane.girth_mm(vertices_m) for plane in planes]))
 
 
 def girth_planes(
     vertices_m: Array, joints_m: Array, rules: TapeRules, keys: Collection[str] | None = None
 ) -> dict[str, tuple[Plane, ...]]:
-    """Return by key of the measures' table where the tape lies on a body in rest pose; limbs have two planes.
+    """Return the tape's planes on a body in rest pose by key of the measures' table; limbs have two.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ def girth_planes(
 
     at = {name: float(vertices_m[list(rows), 1].mean()) for name, rows in rules.level_vertices.items()}
     found = {
-        "head_girth": (_round_the_head(vertices_m, rules),),
+        "head_girth": (_head_plane(vertices_m, rules),),
         "neck_girth": level(at["neck"], "head", "torso"),
         "bust_girth": level(at["chest"]),
         "underbust_girth": level(at["underbust"]),
@@ -248,7 +248,7 @@ def _extreme(
     return float(heights[best(around)])
 
 
-def _round_the_head(vertices_m: Array, rules: TapeRules) -> Plane:
+def _head_plane(vertices_m: Array, rules: TapeRules) -> Plane:
     brow, skull = vertices_m[rules.points["glabella"]], vertices_m[rules.skull]
     rear = skull[np.argmin(skull[:, 2])]
     return Plane(brow, np.cross([1.0, 0.0, 0.0], rear - brow), rules.head, ("head",))
@@ -257,7 +257,7 @@ def _round_the_head(vertices_m: Array, rules: TapeRules) -> Plane:
 def _limb_planes(
     vertices_m: Array, joints_m: Array, rules: TapeRules, *, with_calf: bool
 ) -> dict[str, tuple[Plane, ...]]:
-    """Return the planes of legs and arms: horizontal round thigh, knee and calf, else at right angles to the limb."""
+    """Return the planes of legs and arms: horizontal at thigh, knee and calf, else at right angles to the limb."""
     found: dict[str, list[Plane]] = {}
     for row, side in enumerate(("left", "right")):
         leg, arm, fore = rules.limbs(side)
@@ -286,7 +286,7 @@ def _limb_planes(
 
 
 @dataclass(frozen=True, slots=True)
-class Girth:
+class Measure:
     """One girth and its uncertainty.
 
     Attributes

@@ -1,4 +1,4 @@
-"""All measures of a mesh at once, with further slices that tell bodies from clothes."""
+"""All measures of a mesh at once, with further slices that separate bodies from clothes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.measurement.lengths import lengths_mm
-from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, read_mm
+from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, mean_girth_mm
 from cloner.records.arrays import Array
 from cloner.records.measures import MEASURE_KEYS, MEASURES, Cover
 
@@ -50,10 +50,10 @@ def measures_mm(vertices_m: Array, joints_m: Array, rules: TapeRules, floor_m: f
         Height of the naked soles in this frame.
     """
     planes = girth_planes(vertices_m, joints_m, rules)
-    found = {key: read_mm(vertices_m, own) for key, own in planes.items()}
+    found = {key: mean_girth_mm(vertices_m, own) for key, own in planes.items()}
     levels = {name: float(planes[f"{name}_girth"][0].point_m[1]) for name in ("bust", "waist", "hip")}
     found |= lengths_mm(vertices_m, joints_m, rules, levels, floor_m)
-    found |= {key: read_mm(vertices_m, own) for key, own in slice_planes(vertices_m, joints_m, rules).items()}
+    found |= {key: mean_girth_mm(vertices_m, own) for key, own in slice_planes(vertices_m, joints_m, rules).items()}
     return {key: found[key] for key in ALL_KEYS}
 
 
@@ -62,7 +62,7 @@ def _axes(joints_m: Array, pairs: NDArray[np.int32]) -> Array:
 
 
 def slice_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, tuple[Plane, ...]]:
-    """Return where the tape lies at each of `SLICES` on a body in rest pose; limbs have two planes."""
+    """Return the planes of `SLICES` on a body in rest pose; limbs have two."""
     crotch, armpit = (float(vertices_m[rules.points[name], 1]) for name in ("crotch", "armpit_left"))
     heights = [armpit + place * (crotch - armpit) for place in TRUNK_SLICES]
     planes: list[tuple[Plane, ...]] = [
@@ -85,7 +85,7 @@ def slice_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[s
 
 
 def bare_rows(covers: Mapping[str, Cover]) -> NDArray[np.bool_]:
-    """Return (K,) where the photos show bare skin at the place of a measure of `ALL_KEYS`, on both sides.
+    """Return which measures (K,) of `ALL_KEYS` lie on skin that photos show bare, on both sides.
 
     Parameters
     ----------

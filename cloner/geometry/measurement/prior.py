@@ -1,4 +1,4 @@
-"""The table that measures under clothes are estimated with."""
+"""The statistics with which measures under clothes are estimated."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LOWER: Final = 2
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MeasurePrior:
-    """What measures people of a family have, what clothes add, and how the fit errs; K measures in a fixed order.
+    """Statistics of a family's measures, of clothes' ease and of the fit's errors; K measures in a fixed order.
 
     Attributes
     ----------

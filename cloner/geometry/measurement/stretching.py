@@ -1,4 +1,4 @@
-"""Stretch a body's slices until a tape laid round them reads what it read on the person."""
+"""Stretching of a body's slices until their girths reach tape measures."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ HALVINGS: Final = 6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Loop:
-    """A girth that must not be smaller than a tape read.
+    """A girth with a tape measure that it must reach.
 
     Attributes
     ----------
@@ -49,12 +49,12 @@ class Loop:
     zone_m: float
 
     def girth_mm(self, vertices_m: Array) -> float:
-        """Return what the tape reads on a mesh."""
+        """Return the girth on a mesh, mm."""
         return girth_mm(vertices_m, self.triangles, self.point_m, self.normal)
 
 
-def fields(vertices_m: Array, loop: Loop, frontal: Array) -> tuple[Array, Array, Array]:
-    """Return three displacement fields (V, 3) round a loop, each one unit: corners, depth, whole.
+def stretch_fields(vertices_m: Array, loop: Loop, frontal: Array) -> tuple[Array, Array, Array]:
+    """Return three displacement fields (V, 3) around a loop, each of unit size: corners, depth, whole.
 
     Corners stand between the outlines that photos from front and side see, so they come first;
     depth is seen from the side only; last the whole slice grows.
@@ -82,8 +82,8 @@ def fields(vertices_m: Array, loop: Loop, frontal: Array) -> tuple[Array, Array,
     return (near * corner)[:, None] * (across + depth), near[:, None] * depth, near[:, None] * (across + depth)
 
 
-def grown(vertices_m: Array, loops: Sequence[Loop], directions: Sequence[Array], most: float) -> Array:
-    """Return (V, 3) displacements that widen the slices of loops that are too small; no slice shrinks.
+def grow_to_tapes(vertices_m: Array, loops: Sequence[Loop], directions: Sequence[Array], most: float) -> Array:
+    """Return displacements (V, 3) that widen the slices of loops that are too small; no slice shrinks.
 
     Parameters
     ----------
@@ -108,11 +108,11 @@ def grown(vertices_m: Array, loops: Sequence[Loop], directions: Sequence[Array],
         slopes[:, column] = [(loops[other].girth_mm(moved) - before[other]) / STEP for other in asked]
     found = lsq_linear(slopes, (wanted - before)[asked], bounds=(0.0, most))
     step = np.tensordot(found.x, np.array([directions[row] for row in asked]), axes=1)
-    return np.asarray(_no_farther(vertices_m, step, [loops[row] for row in asked]) * step)
+    return np.asarray(_largest_share(vertices_m, step, [loops[row] for row in asked]) * step)
 
 
-def _no_farther(vertices_m: Array, step: Array, loops: Sequence[Loop]) -> float:
-    """Return the largest share of a step, by halves, that takes no loop beyond its tape."""
+def _largest_share(vertices_m: Array, step: Array, loops: Sequence[Loop]) -> float:
+    """Return the largest share of a step, by bisection, that takes no loop beyond its tape measure."""
 
     def beyond(share: float) -> bool:
         moved = vertices_m + share * step
@@ -127,7 +127,7 @@ def _no_farther(vertices_m: Array, step: Array, loops: Sequence[Loop]) -> float:
     return low
 
 
-def zone_m(away_m: Sequence[float]) -> float:
-    """Return the width of a loop's zone whose neighbours on the same part are so far away."""
+def zone_width_m(away_m: Sequence[float]) -> float:
+    """Return the width of a loop's zone, given the distances to its neighbours on the same part."""
     nearest = min((abs(away) for away in away_m), default=np.inf)
     return float(np.clip(ZONE_SHARE * nearest, *ZONE_M))

@@ -1,4 +1,4 @@
-"""Measures of the body under its clothes, from measures of the clothes' outline.
+"""Bayesian estimate of body measures under clothes, from measures of the clothes' outline.
 
 Outlines show clothes. A coat's waist says how large the waist can be, not how large
 it is. So all measures are estimated together: which body of the generic family, in
@@ -49,8 +49,8 @@ HALVINGS: Final = 14
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Evidence:
-    """What is known of one person.
+class OutlineMeasures:
+    """The observations of one person.
 
     Attributes
     ----------
@@ -79,8 +79,8 @@ class Evidence:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Estimate:
-    """The likeliest measures of the body.
+class BodyEstimate:
+    """The most likely measures of the body.
 
     Attributes
     ----------
@@ -98,7 +98,7 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hypotheses:
-    """What every sex in every pair of clothes would mean.
+    """Hypotheses of every sex in every pair of clothes' fits.
 
     Attributes
     ----------
@@ -116,8 +116,8 @@ class Hypotheses:
     variances: Array
 
 
-def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
-    """Return what every sex in every pair of clothes would mean for one person."""
+def hypotheses(evidence: OutlineMeasures, prior: MeasurePrior) -> Hypotheses:
+    """Return the hypotheses of every sex in every pair of clothes' fits for one person."""
     rows = np.flatnonzero(~np.isnan(evidence.shown_mm))
     shown = evidence.shown_mm[rows] / (1.0 + prior.fit_bias[rows])
     error = shown * evidence.noise
@@ -125,7 +125,7 @@ def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
     noise += TAPE_MM**2 * np.eye(len(rows))
     taped = np.array(sorted(evidence.tape_mm), dtype=np.intp)
     tape = np.array([evidence.tape_mm[row] for row in taped])
-    seen_rows, under, under_noise = _under(evidence, prior)
+    seen_rows, under, under_noise = _seen_girths(evidence, prior)
     size = (len(prior.means), len(FITS), len(FITS))
     logs, means, variances = (
         np.zeros(size),
@@ -137,18 +137,18 @@ def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
         known, told = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
         known, guessed = _conditioned(*known, seen_rows, under, under_noise)
         for upper, lower, which in _garments(prior, evidence.bare):
-            ease, spread = _of_fits(which, prior.ease_mm), _of_fits(which, prior.ease_covariances)
+            ease, spread = _select_by_fit(which, prior.ease_mm), _select_by_fit(which, prior.ease_covariances)
             wanted = shown - ease[rows]
             body, seen = _conditioned(*known, rows, wanted, noise + spread[np.ix_(rows, rows)])
             logs[sex, upper, lower] = told + guessed + seen
             means[sex, upper, lower] = body[0]
             variances[sex, upper, lower] = np.diag(body[1])
-    upper_folds, lower_folds = (_folded(evidence.rumple_mm, prior, place) for place in (0, 1))
+    upper_folds, lower_folds = (_rumple_likelihoods(evidence.rumple_mm, prior, place) for place in (0, 1))
     return Hypotheses(logs, upper_folds[:, None] + lower_folds, means, np.maximum(variances, 0.0))
 
 
-def _under(evidence: Evidence, prior: MeasurePrior) -> tuple[Rows, Array, Array]:
-    """Return rows, values and noise of the girths that are seen under clothes, as a tape would have read them."""
+def _seen_girths(evidence: OutlineMeasures, prior: MeasurePrior) -> tuple[Rows, Array, Array]:
+    """Return rows, values and noise of the girths that the label net sees under clothes."""
     seen = np.full(len(prior.under_gain), np.nan) if evidence.under_mm is None else evidence.under_mm
     rows = np.flatnonzero(~np.isnan(seen) & ~evidence.bare & (prior.under_gain > 0.0))
     gain = prior.under_gain[rows]
@@ -157,8 +157,8 @@ def _under(evidence: Evidence, prior: MeasurePrior) -> tuple[Rows, Array, Array]
     return rows, values, noise
 
 
-def _folded(rumple_mm: Array, prior: MeasurePrior, place: int) -> Array:
-    """Return (F,) logarithms of the likelihoods of one garment's rumple; all alike where it was not seen.
+def _rumple_likelihoods(rumple_mm: Array, prior: MeasurePrior, place: int) -> Array:
+    """Return the log likelihoods (F,) of one garment's rumple, uniform where it was not seen.
 
     Smoother than tight clothes counts as tight: nothing lies closer than skin.
     """
@@ -171,23 +171,25 @@ def _folded(rumple_mm: Array, prior: MeasurePrior, place: int) -> Array:
     return np.asarray(np.log((1.0 - ODD) * likely + ODD / ODD_RANGE))
 
 
-def weighed(found: Hypotheses, temper: float, log_odds: Array) -> Array:
-    """Return (S, F, F) probabilities of hypotheses from their likelihoods' logarithms."""
+def hypothesis_weights(found: Hypotheses, temper: float, log_odds: Array) -> Array:
+    """Return the probabilities (S, F, F) of hypotheses from their log likelihoods."""
     odds = temper * found.logs + found.folds + log_odds[None, :, None] + log_odds[None, None, :]
     weights = np.exp(odds - odds.max())
     return np.asarray(weights / weights.sum())
 
 
-def estimate(evidence: Evidence, prior: MeasurePrior) -> Estimate:
-    """Return the likeliest measures of a body under its clothes."""
+def estimate_body(evidence: OutlineMeasures, prior: MeasurePrior) -> BodyEstimate:
+    """Return the most likely measures of a body under its clothes."""
     found = hypotheses(evidence, prior)
-    weights = weighed(found, prior.temper, prior.log_odds)
-    best, half = _middle(weights.ravel(), *(each.reshape(weights.size, -1) for each in (found.mm, found.variances)))
-    return Estimate(best, half / NINE_IN_TEN, weights.sum(axis=(0, 2)), weights.sum(axis=(0, 1)))
+    weights = hypothesis_weights(found, prior.temper, prior.log_odds)
+    best, half = _mixture_medians(
+        weights.ravel(), *(each.reshape(weights.size, -1) for each in (found.mm, found.variances))
+    )
+    return BodyEstimate(best, half / NINE_IN_TEN, weights.sum(axis=(0, 2)), weights.sum(axis=(0, 1)))
 
 
-def _middle(weights: Array, mm: Array, variances: Array) -> tuple[Array, Array]:
-    """Return (K,) medians of mixtures of normal distributions and the half widths round them that hold nine in ten.
+def _mixture_medians(weights: Array, mm: Array, variances: Array) -> tuple[Array, Array]:
+    """Return medians (K,) of mixtures of normal distributions, and half widths that hold nine in ten.
 
     The median, not the mean: a small chance of loose clothes would draw the mean of a tightly dressed person far down.
     """
@@ -197,12 +199,12 @@ def _middle(weights: Array, mm: Array, variances: Array) -> tuple[Array, Array]:
         return np.asarray(weights @ ndtr((at - mm) / spread))
 
     low, high = (mm - 6.0 * spread).min(axis=0), (mm + 6.0 * spread).max(axis=0)
-    best = _crossing(below, low, high, 0.5)
-    return best, _crossing(lambda half: below(best + half) - below(best - half), np.zeros_like(low), high - low, 0.9)
+    best = _bisect(below, low, high, 0.5)
+    return best, _bisect(lambda half: below(best + half) - below(best - half), np.zeros_like(low), high - low, 0.9)
 
 
-def _crossing(rising: Callable[[Array], Array], low: Array, high: Array, wanted: float) -> Array:
-    """Return where a rising function of (K,) values reaches ``wanted``, by halving."""
+def _bisect(rising: Callable[[Array], Array], low: Array, high: Array, wanted: float) -> Array:
+    """Return where an increasing function of (K,) values reaches ``wanted``, by bisection."""
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         under = rising(middle) < wanted
@@ -213,7 +215,7 @@ def _crossing(rising: Callable[[Array], Array], low: Array, high: Array, wanted:
 def _conditioned(
     mean: Array, covariance: Array, rows: Rows, values: Array, noise: Array
 ) -> tuple[tuple[Array, Array], float]:
-    """Return a Gaussian after some of its rows were observed with noise, and the logarithm of their likelihood."""
+    """Return a Gaussian conditioned on noisy observations of some rows, and their log likelihood."""
     if not len(rows):
         return (mean, covariance), 0.0
     factor = cho_factor(covariance[np.ix_(rows, rows)] + noise, lower=True)
@@ -231,8 +233,8 @@ def _garments(prior: MeasurePrior, bare: NDArray[np.bool_]) -> Iterator[tuple[in
             yield upper, lower, np.where(bare, -1, which)
 
 
-def _of_fits(which: Rows, values: Array) -> Array:
-    """Return (K,) or (K, K) of values (F, K) or (F, K, K) of each measure's fit (K,), 0 where none is worn.
+def _select_by_fit(which: Rows, values: Array) -> Array:
+    """Return (K,) or (K, K) values from (F, K) or (F, K, K) by each measure's fit (K,), 0 where none is worn.
 
     Measures under cloth of one fit vary together; those of different fits do not.
     """

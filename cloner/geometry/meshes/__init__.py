@@ -1,1 +1,1 @@
-"""Triangle meshes: edges and neighbours, nearest points, normals, pixels they cover."""
+"""Triangle meshes: adjacency, nearest points, normals, rasterisation."""

@@ -1,4 +1,4 @@
-"""The similarity that lays one set of points on another."""
+"""Similarity alignment of point sets (Procrustes)."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import numpy as np
 from cloner.records.arrays import Array
 
 
-def similarity(source: Array, target: Array) -> tuple[float, Array, Array]:
-    """Return scale, rotation (3, 3) and shift (3,) that lay ``source`` best on ``target``.
+def similarity_alignment(source: Array, target: Array) -> tuple[float, Array, Array]:
+    """Return scale, rotation (3, 3) and translation (3,) that align ``source`` with ``target``.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Eyeballs of real size: a sphere with a cornea, and where lids lie on it.
+"""Eyeballs of anatomical size: a sphere with a cornea, and coordinates of the lids on it.
 
 Lids turn about the axis through the ball's centre from side to side; a point of a lid is told by how far aside it lies,
 its elevation about that axis, and its distance from the centre.
@@ -27,8 +27,8 @@ IRIS_ANGLE = float(np.arcsin(IRIS_M / BALL_M))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Ball:
-    """An eyeball of real size that looks along +Z.
+class Eyeball:
+    """An eyeball of anatomical size that looks along +Z.
 
     Attributes
     ----------
@@ -38,19 +38,21 @@ class Ball:
     centre: Array
 
     def unrolled(self, points: Array) -> tuple[Array, Array, Array]:
-        """Return how far aside (...,) points lie, their elevation, radians, and their distance from the centre."""
+        """Return the sideways position (...,) of points, their elevation, radians, and their distance
+        from the centre.
+        """
         spokes = points - self.centre
         return spokes[..., 0], np.arctan2(spokes[..., 1], spokes[..., 2]), np.linalg.norm(spokes, axis=-1)
 
     def rolled(self, aside: Array, elevation: Array, distance: Array) -> Array:
-        """Return the points (..., 3) that `unrolled` tells so; points farther aside than away are brought back."""
+        """Return the points (..., 3) of `unrolled` coordinates; positions beyond the radius are clamped."""
         reach = np.sqrt(np.maximum(distance**2 - aside**2, 1e-10))
         return np.asarray(
             self.centre + np.stack([aside, reach * np.sin(elevation), reach * np.cos(elevation)], axis=-1)
         )
 
     def outside(self, points: Array, gaze: Array | None = None) -> Array:
-        """Return how far (...,) points lie outside the ball, metres, negative inside; ``gaze`` (3,) unit or +Z."""
+        """Return the distance (...,) of points from the surface, metres, negative inside; ``gaze`` (3,) unit or +Z."""
         spokes = points - self.centre
         distance = np.linalg.norm(spokes, axis=-1)
         ahead = spokes @ (np.array([0.0, 0.0, 1.0]) if gaze is None else gaze)
@@ -59,12 +61,12 @@ class Ball:
 
 
 def cornea(angle: Array) -> Array:
-    """Return how far the surface stands out of the sphere, share of the radius, at angles (...,) from the gaze."""
+    """Return the height of the surface over the sphere, share of the radius, at angles (...,) from the gaze."""
     return np.asarray(CORNEA * np.cos(np.clip(angle / IRIS_ANGLE, 0.0, 1.0) * np.pi / 2) ** 2)
 
 
-def ball_points(spokes: Array, rim_angle: float) -> Array:
-    """Return the vertices (N, 3) of a ball around the origin, the iris' rim where anatomy has it.
+def eyeball_points(spokes: Array, rim_angle: float) -> Array:
+    """Return the vertices (N, 3) of an eyeball around the origin, with a ring at the iris's rim.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A mesh as a graph: distances along the surface, averaging, smooth filling."""
+"""A mesh as a graph: geodesic distances, averaging, smooth filling."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class SurfaceGraph:
         return np.asarray(np.minimum(distance, limit_m), np.float64)
 
     def smooth(self, values: Array, rounds: int) -> Array:
-        """Return (V, ...) values averaged with their neighbours ``rounds`` times."""
+        """Return values (V, ...) averaged with their neighbours ``rounds`` times."""
         link = (self.lengths > 0).astype(np.float64)
         degree = np.asarray(link.sum(axis=1)).ravel()
         mean = diags(0.5 / np.maximum(degree, 1.0)) @ link
@@ -42,7 +42,7 @@ class SurfaceGraph:
         return values
 
     def nearest(self, known: NDArray[np.bool_]) -> NDArray[np.int64]:
-        """Return (V,) the nearest known vertex along the surface; a vertex without any keeps its own number."""
+        """Return the nearest known vertex (V,) along the surface; a vertex without any keeps its own index."""
         own = np.arange(known.size)
         rows = np.flatnonzero(known)
         if rows.size == 0:
@@ -51,7 +51,7 @@ class SurfaceGraph:
         return np.asarray(np.where(found >= 0, found, own), np.int64)
 
     def fill(self, values: Array, weight: Array, stiffness: float, alike: Array | None = None) -> Array:
-        """Return (V, K) values that keep to ``values`` by ``weight`` and are harmonic elsewhere.
+        """Return values (V, K) that follow ``values`` by ``weight`` and are harmonic elsewhere.
 
         Solves (W + s L) x = W c with the umbrella Laplacian L; a part without
         any weight gets the weighted mean of all.

@@ -1,4 +1,4 @@
-"""How a surface was stretched and turned near every point: local affine maps between two shapes of one mesh."""
+"""Local affine maps between two shapes of one mesh (deformation gradients)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.records.arrays import Array
 
 #: Vertices of a neighbourhood, and anchors that a vertex listens to.
@@ -19,7 +19,7 @@ _STIFFNESS = 0.02
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LocalMaps:
-    """What is needed to find the maps to any second shape.
+    """Precomputed solver of the maps to any second shape.
 
     Attributes
     ----------
@@ -39,8 +39,8 @@ class LocalMaps:
     share: Array
 
     def maps(self, after: Array) -> Array:
-        """Return (V, 3, 3) maps from displacements before to displacements after, for moved vertices (V, 3)."""
-        scale, rotation, _ = similarity(self.before, after)
+        """Return the maps (V, 3, 3) from displacements before to displacements after, for moved vertices (V, 3)."""
+        scale, rotation, _ = similarity_alignment(self.before, after)
         common = scale * rotation
         own = np.einsum("amk,amc->akc", (after - self.before @ common.T)[self.near], self.solver)
         return np.asarray(common + np.einsum("vb,vbkc->vkc", self.share, own[self.anchors]))
@@ -62,7 +62,7 @@ def local_maps(before: Array, *, reach_m: float, anchors: int) -> LocalMaps:
     Sumner and Popovic 2004, "Deformation transfer for triangle meshes", section 3. Departure: one map a neighbourhood
     by weighted least squares, not one a triangle: both faces share one mesh, and smooth maps keep folds apart.
     """
-    chosen = _spread(before, anchors)
+    chosen = _farthest_point_sampling(before, anchors)
     distance, near = cKDTree(before).query(before[chosen], k=min(len(before), _NEAR))
     weight = np.exp(-0.5 * (distance / reach_m) ** 2)
     weight /= weight.sum(axis=1, keepdims=True)
@@ -75,7 +75,7 @@ def local_maps(before: Array, *, reach_m: float, anchors: int) -> LocalMaps:
     return LocalMaps(before, near, solver, anchor_of, share / share.sum(axis=1, keepdims=True))
 
 
-def _spread(points: Array, count: int) -> NDArray[np.int64]:
+def _farthest_point_sampling(points: Array, count: int) -> NDArray[np.int64]:
     """Return the rows of well spread points, each the farthest from those before it."""
     chosen = [0]
     away = np.linalg.norm(points - points[0], axis=1)

@@ -1,4 +1,4 @@
-"""Triangles to pixels: which triangle covers a pixel, and how deep the nearest surface is."""
+"""Rasterisation: the triangle at each pixel, and the depth of the nearest surface."""
 
 from __future__ import annotations
 
@@ -97,10 +97,10 @@ def _fill(
     return row[inside] * width_px + column[inside], triangle[inside], weights.astype(np.float32)
 
 
-def cover(
+def rasterise(
     points_px: Array, triangles: NDArray[np.int32], width_px: int, height_px: int
 ) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float32]]:
-    """Return which triangle covers each pixel, for triangles that do not overlap.
+    """Return the triangle at each pixel, for triangles that do not overlap.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def cover(
 def _cover_rows(
     points_px: Array, triangles: NDArray[np.int32], width_px: int, rows_px: range
 ) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float32]]:
-    """Return :func:`cover` of some rows of a picture."""
+    """Return :func:`rasterise` of some rows of a picture."""
     points_px = points_px - (0.0, rows_px.start)
     beyond = _sides_beyond(points_px, width_px, len(rows_px)).take(triangles, axis=0)
     rows = np.flatnonzero((beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0).astype(np.int32)
@@ -158,7 +158,7 @@ def _cover_rows(
 
 
 def _sides_beyond(points_px: Array, width_px: int, height_px: int) -> NDArray[np.uint8]:
-    """Return (P,) on which sides of a picture points lie a pixel beyond its outermost centres: one bit a side."""
+    """Return as bits (P,) on which sides points lie more than a pixel beyond a picture."""
     across, down = points_px[:, 0], points_px[:, 1]
     sides = (across <= -1.0, down <= -1.0, across >= width_px, down >= height_px)
     return np.packbits(np.stack(sides, axis=1), axis=1).ravel()
@@ -194,7 +194,7 @@ def nearest_depth(
 
 
 def _scene(points_px: Array, depth_m: Array, width_px: int, height_px: int) -> NDArray[np.float32]:
-    """Return (P, 3) points in OpenCV's camera frame (x right, y up, looking along -z) that it draws at ``points_px``.
+    """Return the points (P, 3) in OpenCV's camera frame (x right, y up, looking along -z).
 
     A hair's breadth aside, lest pixel centres lie on edges, where rounding leaves holes.
     """
@@ -205,7 +205,7 @@ def _scene(points_px: Array, depth_m: Array, width_px: int, height_px: int) -> N
 
 
 def _settings() -> cv2.TriangleRasterizeSettings:
-    """Return the settings: both sides of triangles, colours mixed between corners."""
+    """Return the settings: two-sided triangles, interpolated colours."""
     settings = cv2.TriangleRasterizeSettings()
     settings.setCullingMode(cv2.RASTERIZE_CULLING_NONE)
     settings.setShadingType(cv2.RASTERIZE_SHADING_SHADED)

@@ -1,4 +1,4 @@
-"""Points on triangle meshes: ray hits seen by a camera, nearest points, barycentric places."""
+"""Points on triangle meshes: ray hits from a camera, nearest points, barycentric coordinates."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FLAT = 1e-14
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SurfacePoints:
-    """Places on a mesh that move with it.
+    """Points on a mesh by barycentric coordinates.
 
     Attributes
     ----------
@@ -42,8 +42,8 @@ class SurfacePoints:
         return SurfacePoints(self.corners[rows], self.weights[rows])
 
 
-def over(points: Array, corners: Array) -> tuple[NDArray[np.bool_], Array, Array]:
-    """Return which of points (N, 2) lie over which triangles, (N, T), and their weights on second and third corner.
+def overlaps_triangles(points: Array, corners: Array) -> tuple[NDArray[np.bool_], Array, Array]:
+    """Return which points (N, 2) lie inside which triangles, (N, T), and their weights on second and third corner.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def over(points: Array, corners: Array) -> tuple[NDArray[np.bool_], Array, Array
 def first_hits(
     points_px: Array, projected_px: Array, depth_m: Array, triangles: Indices
 ) -> tuple[NDArray[np.int64], Array]:
-    """Return the nearest triangle under each pixel, and the barycentric place in the picture.
+    """Return the nearest triangle under each pixel, and the barycentric coordinates in the picture.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def first_hits(
     weights = np.zeros((len(points_px), 3))
     step = max(1, CHUNK // max(1, len(triangles)))
     for start in range(0, len(points_px), step):
-        inside, u, v = over(points_px[start : start + step], corners)
+        inside, u, v = overlaps_triangles(points_px[start : start + step], corners)
         row, column = np.nonzero(inside)
         place = np.stack([1.0 - u[row, column] - v[row, column], u[row, column], v[row, column]], axis=1)
         depth = (place * depth_m[triangles[column]]).sum(axis=1)
@@ -93,7 +93,7 @@ def first_hits(
 
 
 def nearest_points(queries_m: Array, vertices_m: Array, triangles: Indices, *, candidates: int = 16) -> SurfacePoints:
-    """Return the nearest places on the triangles, searched among those with the nearest centroids.
+    """Return the nearest surface points on triangles, among those with the nearest centroids.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def nearest_points(queries_m: Array, vertices_m: Array, triangles: Indices, *, c
 
 
 def closest_in_triangles(points: Array, corners: Array) -> Array:
-    """Return barycentric weights (N, 3) of the places in N triangles (N, 3, 3) nearest to N points."""
+    """Return barycentric weights (N, 3) of the points in N triangles (N, 3, 3) nearest to N points."""
     edge1, edge2, delta = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], points - corners[:, 0]
     g11, g12, g22 = (edge1**2).sum(1), (edge1 * edge2).sum(1), (edge2**2).sum(1)
     r1, r2 = (edge1 * delta).sum(1), (edge2 * delta).sum(1)

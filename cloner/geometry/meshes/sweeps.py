@@ -1,4 +1,4 @@
-"""Rods: a rounded profile swept along a path."""
+"""Sweeps: a rounded profile along a path."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ SIDES: Final = 8
 SQUARE: Final = 2.6
 
 
-def swept(path_m: Array, across: Array, halves_m: Array, *, closed: bool) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Return vertices (N, 3), uv (N, 2) and triangles (T, 3) of a rod; open ends have caps.
+def sweep_profile(
+    path_m: Array, across: Array, halves_m: Array, *, closed: bool
+) -> tuple[Array, Array, NDArray[np.int64]]:
+    """Return vertices (N, 3), uv (N, 2) and triangles (T, 3) of a swept rod; open ends have caps.
 
     Parameters
     ----------

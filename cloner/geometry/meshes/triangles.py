@@ -1,4 +1,4 @@
-"""What a mesh of triangles has by itself: areas, edges, neighbours."""
+"""Properties of triangle meshes: areas, edges, neighbours."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Ints = NDArray[np.int64]
 
 
 def areas(points: NDArray[np.floating[Any]], triangles: Index) -> Array:
-    """Return (T,) areas of triangles (T, 3) over points (N, 2) or (N, 3), in the points' unit squared."""
+    """Return areas (T,) of triangles (T, 3) over points (N, 2) or (N, 3), in the points' unit squared."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     first, second = b - a, c - a
     if points.shape[1] == 2:
@@ -23,8 +23,8 @@ def areas(points: NDArray[np.floating[Any]], triangles: Index) -> Array:
 
 
 def edges_of(triangles: Index) -> tuple[Ints, Ints]:
-    """Return (E, 2) all edges of triangles (T, 3), each once with the lower vertex first, and (E,) their triangles."""
-    low = np.sort(sides(triangles).astype(np.int64), axis=1)
+    """Return all edges (E, 2) of triangles (T, 3), each once with the lower vertex first, and their triangles (E,)."""
+    low = np.sort(triangle_sides(triangles).astype(np.int64), axis=1)
     span = int(low.max(initial=0)) + 1
     # One number an edge sorts ten times as fast as two.
     edges, count = np.unique(low[:, 0] * span + low[:, 1], return_counts=True)
@@ -36,20 +36,20 @@ def paired_edges(triangles: Index) -> tuple[Ints, Ints, Ints]:
     corners = np.asarray(triangles, dtype=np.int64)
     across = np.concatenate([corners[:, 2], corners[:, 0], corners[:, 1]])
     owner = np.tile(np.arange(len(corners)), 3)
-    low: Ints = np.sort(sides(corners), axis=1).astype(np.int64)
+    low: Ints = np.sort(triangle_sides(corners), axis=1).astype(np.int64)
     order = np.lexsort((low[:, 1], low[:, 0]))
     same = np.flatnonzero((low[order[1:]] == low[order[:-1]]).all(axis=1))
     pairs = np.stack([order[same], order[same + 1]], axis=1)
     return low[pairs[:, 0]], owner[pairs], across[pairs]
 
 
-def sides(triangles: NDArray[Any]) -> NDArray[Any]:
-    """Return (3 T, 2) the sides of triangles, first all first ones."""
+def triangle_sides(triangles: NDArray[Any]) -> NDArray[Any]:
+    """Return the sides (3 T, 2) of triangles, first all first ones."""
     return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
 
 
 def longest_sides(points_m: Array, triangles: Index) -> Array:
-    """Return (N,) the longest side of the triangles (T, 3) around each vertex (N, 3), zero where there are none."""
+    """Return the longest side (N,) of the triangles (T, 3) around each vertex (N, 3), zero where there are none."""
     long = np.linalg.norm(points_m[triangles] - points_m[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
     longest = np.zeros(len(points_m))
     np.maximum.at(longest, triangles, long[:, None])

@@ -1,4 +1,4 @@
-"""Split a mesh along its UV seams, with normals that stay smooth across them."""
+"""Meshes split along UV seams, with normals that stay smooth across them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Index = NDArray[np.int32]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Wedges:
-    """Vertices doubled where one position carries several texture coordinates.
+    """Vertices duplicated where one position has several texture coordinates.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ def split_seams(triangles: Index, uv_triangles: Index) -> Wedges:
 
 
 def welded_normals(vertices_m: Array, triangles: Index) -> Array:
-    """Return (V, 3) unit normals that are the same for vertices at the same place: seams of charts do not show."""
+    """Return unit normals (V, 3), equal for coincident vertices so that chart seams do not show."""
     _, place = np.unique(np.round(vertices_m, 7), axis=0, return_inverse=True)
     place = place.reshape(-1).astype(np.int32)
     points = np.zeros((int(place.max(initial=-1)) + 1, 3))

@@ -1,1 +1,1 @@
-"""Outlines of photos and of posed bodies, and what matches them."""
+"""Outlines of photos, silhouettes of posed bodies, and their matching."""

@@ -1,4 +1,4 @@
-"""Match a model's profile with a contour in a photo."""
+"""Matching of a model's profile with a contour in a photo."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ def contour_normals(contour: Array, *, reach: int = 4) -> Array:
 
 
 def foremost(points_px: Array, facing: int, *, step_px: float) -> NDArray[np.int64]:
-    """Return the points that lie foremost (image right for facing +1) at each level of ``step_px``."""
+    """Return the foremost points (image right for facing +1) at each level of ``step_px``."""
     level = np.floor(points_px[:, 1] / step_px).astype(np.int64)
     order = np.lexsort((-facing * points_px[:, 0], level))
     return order[np.unique(level[order], return_index=True)[1]]
 
 
-def match(
+def match_contour(
     points_px: Array, contour: Array, normals: Array, *, gate_px: float
 ) -> tuple[NDArray[np.int64], Array, Array]:
     """Return which points have a contour point within ``gate_px``, and that point and its normal."""
@@ -35,8 +35,8 @@ def match(
     return kept, contour[index[kept]], normals[index[kept]]
 
 
-def turning_points(vertices_m: Array, normals: Array, edges: NDArray[np.integer], eye_m: Array) -> SurfacePoints:
-    """Return where a smooth surface turns away from an eye: the places on its edges where it is seen edge-on.
+def occluding_points(vertices_m: Array, normals: Array, edges: NDArray[np.integer], eye_m: Array) -> SurfacePoints:
+    """Return the occluding contour of a smooth surface: the points on its edges where it is seen edge-on.
 
     Parameters
     ----------
@@ -57,8 +57,8 @@ def turning_points(vertices_m: Array, normals: Array, edges: NDArray[np.integer]
     return SurfacePoints(np.column_stack([ends, ends[:, 1]]).astype(np.int32), weights)
 
 
-def farthest(points_px: Array, middle_px: Array, sector: float) -> NDArray[np.int64]:
-    """Return the point of each sector (radians) around a middle that lies farthest from it."""
+def farthest_by_sector(points_px: Array, middle_px: Array, sector: float) -> NDArray[np.int64]:
+    """Return the farthest point of each sector (radians) around a middle."""
     arm = points_px - middle_px
     where = np.floor(np.arctan2(arm[:, 1], arm[:, 0]) / sector).astype(np.int64)
     order = np.lexsort((-np.linalg.norm(arm, axis=1), where))

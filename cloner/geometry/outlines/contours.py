@@ -1,4 +1,4 @@
-"""Photo outlines prepared for fitting: samples with normals, and a distance field."""
+"""Photo outlines prepared for fitting: samples with normals, and a signed distance field."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class OutlineField:
     draped: NDArray[np.bool_]
 
     def signed_distance(self, points_px: Array) -> Array:
-        """Return (N,) distances of photo points to the outline, positive outside."""
+        """Return the signed distances (N,) of photo points from the outline, positive outside."""
         grid = (points_px + 0.5) / self.reduction - 0.5
         height, width = self.distance.shape
         inside = np.clip(grid, 0, [width - 1, height - 1])
@@ -52,13 +52,13 @@ class OutlineField:
         return np.asarray(value + beyond, dtype=np.float64)
 
     def is_veiled(self, points_px: Array) -> NDArray[np.bool_]:
-        """Return (N,) whether the outline nearest to each point is hair's or loose clothing's."""
+        """Return whether the outline nearest to each point (N,) is hair's or loose clothing's."""
         if not self.veiled.any() or len(points_px) == 0:
             return np.zeros(len(points_px), dtype=bool)
         return np.asarray(self.veiled[cKDTree(self.samples_px).query(points_px)[1]])
 
     def nearest_rim(self, points_px: Array, normals: Array, turn_px: float) -> tuple[NDArray[np.int64], Array]:
-        """Return for every sample the nearest of N points with a like normal.
+        """Return for every sample the nearest of N points with a similar normal.
 
         Parameters
         ----------

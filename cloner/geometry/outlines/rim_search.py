@@ -1,4 +1,4 @@
-"""Where a viewer sees a posed body's outline: nearest to a pixel, or on a line through one."""
+"""Search on a posed body's occluding contour: nearest to a pixel, or on a line through one."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.geometry.articulation.skin_bends import Place, SkinMetric
-from cloner.geometry.meshes.surface import over
+from cloner.geometry.articulation.skin_bends import EdgePoint, SkinMetric
+from cloner.geometry.meshes.surface import overlaps_triangles
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.arrays import Array
@@ -23,8 +23,8 @@ PROBED = 48
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rim:
-    """Where a body turns away from one camera.
+class OccludingContour:
+    """The occluding contour of a body from one camera.
 
     Attributes
     ----------
@@ -40,16 +40,16 @@ class Rim:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
-    """A point of the rim: where it lies on the mesh and in the photo, and its outward normal there."""
+class ContourPoint:
+    """A point of the occluding contour: on the mesh, in the photo, and its outward normal there."""
 
-    place: Place
+    place: EdgePoint
     pixel: Array
     outward: Array
 
 
-def rim_of(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> Rim:
-    """Return the rim of a posed body.
+def occluding_contour(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> OccludingContour:
+    """Return the occluding contour of a posed body.
 
     Parameters
     ----------
@@ -68,13 +68,15 @@ def rim_of(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> R
     normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
     normal = unit(normal)
     inside = pixels[metric.triangles[seen]].mean(axis=1) - pixels[edges].mean(axis=1)
-    return Rim(pixels, edges, np.where(np.einsum("na,na->n", normal, inside)[:, None] > 0, -normal, normal))
+    return OccludingContour(
+        pixels, edges, np.where(np.einsum("na,na->n", normal, inside)[:, None] > 0, -normal, normal)
+    )
 
 
-def nearest_rim_point(
-    rim: Rim, metric: SkinMetric, target_px: Array, allowed: Bools, penalty_px: float
-) -> Found | None:
-    """Return the rim's point nearest to a pixel, None if no allowed part of the rim is there.
+def nearest_contour_point(
+    rim: OccludingContour, metric: SkinMetric, target_px: Array, allowed: Bools, penalty_px: float
+) -> ContourPoint | None:
+    """Return the contour point nearest to a pixel, None if no allowed part of the contour is there.
 
     Parameters
     ----------
@@ -95,15 +97,15 @@ def nearest_rim_point(
     distance = np.linalg.norm(points - target_px, axis=1)
     order = np.argsort(distance)[:PROBED]
     probes = points[order] + PROBE_PX * rim.outward[rows[order]]
-    border = ~covered(probes, rim.pixels, metric.triangles)
+    border = ~is_covered(probes, rim.pixels, metric.triangles)
     best = int(order[np.argmin(distance[order] + np.where(border, 0.0, penalty_px))])
     ends = rim.edges[rows[best]]
-    place = Place(int(ends[0]), int(ends[1]), float(share[best]))
-    return Found(place, points[best], rim.outward[rows[best]])
+    place = EdgePoint(int(ends[0]), int(ends[1]), float(share[best]))
+    return ContourPoint(place, points[best], rim.outward[rows[best]])
 
 
-def outermost(edges: Ints, pixels: Array, target_px: Array, outward: Array) -> tuple[Place, float] | None:
-    """Return the skin that is seen farthest out on the line through a pixel, and how far beyond the pixel, px.
+def outermost_point(edges: Ints, pixels: Array, target_px: Array, outward: Array) -> tuple[EdgePoint, float] | None:
+    """Return the skin point farthest out on the line through a pixel, and its distance beyond the pixel, px.
 
     Parameters
     ----------
@@ -129,11 +131,11 @@ def outermost(edges: Ints, pixels: Array, target_px: Array, outward: Array) -> t
     height = height[:, 0] + share * (height[:, 1] - height[:, 0])
     best = int(np.argmax(height))
     ends = edges[rows[best]]
-    return Place(int(ends[0]), int(ends[1]), float(share[best])), float(height[best])
+    return EdgePoint(int(ends[0]), int(ends[1]), float(share[best])), float(height[best])
 
 
-def covered(points_px: Array, pixels: Array, triangles: NDArray[np.integer]) -> Bools:
-    """Return (N,) whether any triangle of a picture lies over each point.
+def is_covered(points_px: Array, pixels: Array, triangles: NDArray[np.integer]) -> Bools:
+    """Return whether any triangle of a picture covers each point, (N,).
 
     Parameters
     ----------
@@ -146,4 +148,4 @@ def covered(points_px: Array, pixels: Array, triangles: NDArray[np.integer]) -> 
     code = outside.sum(axis=1).astype(np.int8)
     # Three corners beyond one and the same side of the box: the triangle misses it.
     near = np.bitwise_and.reduce(code[triangles], axis=1) == 0
-    return np.asarray(over(points_px, pixels[triangles[near]])[0].any(axis=1))
+    return np.asarray(overlaps_triangles(points_px, pixels[triangles[near]])[0].any(axis=1))

@@ -1,4 +1,4 @@
-"""Which vertices make the outline of a posed mesh, and its filled picture."""
+"""Silhouette vertices of a posed mesh, and its filled silhouette."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Triangles = NDArray[np.integer]
 def fill_triangles(
     points_px: Array, triangles: Triangles, size: tuple[int, int], box: NDArray[np.int64] | None = None
 ) -> NDArray[np.uint8]:
-    """Return the (H, W) picture, 255 inside, of projected triangles.
+    """Return the picture (H, W), 255 inside, of projected triangles.
 
     Parameters
     ----------
@@ -38,15 +38,15 @@ def fill_triangles(
     drawn = area > 0 if np.count_nonzero(area > 0) > np.count_nonzero(area < 0) else area < 0
     beyond = _beyond(fixed, np.array([[0, 0], size[::-1]]) if box is None else box)[triangles]
     drawn &= (beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0
-    starts, ends, times = _contour(triangles[drawn])
-    inside = _windings(fixed[starts] / 16, fixed[ends] / 16, times, size) != 0
+    starts, ends, times = _unpaired_edges(triangles[drawn])
+    inside = _winding_numbers(fixed[starts] / 16, fixed[ends] / 16, times, size) != 0
     picture: NDArray[np.uint8] = 255 * inside.astype(np.uint8)
     cv2.polylines(picture, list(np.stack([fixed[starts], fixed[ends]], axis=1)), False, 255, 1, cv2.LINE_8, 4)
     return picture
 
 
-def _contour(triangles: Triangles) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-    """Return the edges that do not cancel between neighbours of alike turn: first and last vertices, how often."""
+def _unpaired_edges(triangles: Triangles) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Return the edges that do not cancel between neighbours of equal orientation: first and last vertices, counts."""
     tail, head = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     count = int(triangles.max(initial=0)) + 1
     edges = np.minimum(tail, head).astype(np.int64) * count + np.maximum(tail, head)
@@ -58,8 +58,8 @@ def _contour(triangles: Triangles) -> tuple[NDArray[np.int64], NDArray[np.int64]
     return key[kept] // count, key[kept] % count, times[kept]
 
 
-def _windings(starts: Array, ends: Array, times: NDArray[np.int64], size: tuple[int, int]) -> NDArray[np.int32]:
-    """Return (H, W) how often directed edges, (E, 2) pixels each, turn round every pixel's centre."""
+def _winding_numbers(starts: Array, ends: Array, times: NDArray[np.int64], size: tuple[int, int]) -> NDArray[np.int32]:
+    """Return the winding number (H, W) of directed edges, (E, 2) pixels each, around every pixel's centre."""
     height, width = size
     upper, lower = np.ceil(np.minimum(starts[:, 1], ends[:, 1])), np.ceil(np.maximum(starts[:, 1], ends[:, 1]))
     first, last = np.clip(upper, 0, height).astype(np.int64), np.clip(lower, 0, height).astype(np.int64)
@@ -75,14 +75,14 @@ def _windings(starts: Array, ends: Array, times: NDArray[np.int64], size: tuple[
 
 
 def _beyond(fixed: NDArray[np.int32], box: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """Return (V,) on which sides points in 1/16 px lie more than a pixel beyond a box: one bit a side."""
+    """Return as bits (V,) on which sides points in 1/16 px lie more than a pixel beyond a box."""
     (left, top), (right, bottom) = 16 * box + np.array([[-16], [16]])
     sides = (fixed[:, 0] < left, fixed[:, 0] > right, fixed[:, 1] < top, fixed[:, 1] > bottom)
     return np.asarray(np.sum([np.uint8(1 << bit) * side for bit, side in enumerate(sides)], axis=0), np.uint8)
 
 
 def borders_px(picture: NDArray[np.uint8]) -> tuple[Array, ...]:
-    """Return the (M, 2) closed borders of a filled picture, in its pixels, without slivers of under 20 px."""
+    """Return the closed borders (M, 2) of a filled picture, px, without slivers of under 20 px."""
     chains, _ = cv2.findContours(picture, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
     return tuple(chain[:, 0].astype(np.float64) for chain in chains if len(chain) >= 20)
 
@@ -103,7 +103,7 @@ def vertex_normals(vertices_m: Array, triangles: Triangles) -> Array:
     return unit(normals, 1e-12)
 
 
-def rim_vertices(
+def silhouette_vertices(
     points_px: Array,
     posed_m: Array,
     triangles: Triangles,
@@ -112,7 +112,7 @@ def rim_vertices(
     tolerance_px: float,
     among: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
-    """Return the vertices on the outline of the posed mesh, and its filled picture.
+    """Return the silhouette vertices of the posed mesh, and its filled picture.
 
     A vertex is on the rim when triangles around it face both towards and away
     from the camera and it projects next to the border of the filled picture.

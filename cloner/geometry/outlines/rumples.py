@@ -1,4 +1,4 @@
-"""How rumpled an outline is: folds and hems of cloth, apart from the body's own shape."""
+"""Rumple of an outline: folds and hems of cloth, apart from the body's own shape."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LEAST_STEPS: Final = 100
 
 
 def rumples_mm(contour_px: NDArray[np.floating], mm_per_px: float) -> tuple[Array, Array]:
-    """Return places along a closed outline and how far it stands out or in there, beside its own smooth course.
+    """Return points along a closed outline and their signed distance from its smoothed course.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def rumples_mm(contour_px: NDArray[np.floating], mm_per_px: float) -> tuple[Arra
     places_px : (M, 2) float64, `STEP_MM` apart; empty for a short outline
     heights_mm : (M,) float64, of either sign
     """
-    places = _stepped(np.asarray(contour_px, dtype=np.float64), STEP_MM / mm_per_px)
+    places = _resampled(np.asarray(contour_px, dtype=np.float64), STEP_MM / mm_per_px)
     if len(places) < LEAST_STEPS:
         return np.zeros((0, 2)), np.zeros(0)
     fine, coarse = (_smooth(places, width / STEP_MM) for width in (FINE_MM, COARSE_MM))
@@ -43,7 +43,7 @@ def rumples_mm(contour_px: NDArray[np.floating], mm_per_px: float) -> tuple[Arra
     return places, np.einsum("nk,nk->n", fine - coarse, across) * mm_per_px
 
 
-def _stepped(contour_px: Array, step_px: float) -> Array:
+def _resampled(contour_px: Array, step_px: float) -> Array:
     """Return a closed outline in equal steps of about ``step_px``."""
     closed = np.vstack([contour_px, contour_px[:1]])
     walked = arc_lengths(closed)
@@ -52,6 +52,6 @@ def _stepped(contour_px: Array, step_px: float) -> Array:
 
 
 def _smooth(places: Array, steps: float) -> Array:
-    """Return a closed outline smoothed so that an even bend stays where it is (a plain Gaussian would shrink it)."""
+    """Return a closed outline smoothed without shrinking even bends (as a plain Gaussian would)."""
     once, more = (gaussian_filter1d(places, steps * wider, axis=0, mode="wrap") for wider in (1.0, np.sqrt(2.0)))
     return np.asarray(2.0 * once - more)

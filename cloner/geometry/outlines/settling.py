@@ -1,4 +1,5 @@
-"""Smoothing over the mesh: a thin plate's displacement along the normals lays a body's rim on the photos' outlines.
+"""Smoothing over the mesh: thin-plate displacement along normals that moves a body's silhouette to the photos'
+outlines.
 
 Beyond the paper (method §7): takes up what slices cannot reach - shoulders, crotch,
 feet, hands - with all photos at once.
@@ -13,7 +14,7 @@ import scipy.sparse as sparse
 from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
-from cloner.geometry.meshes.triangles import sides
+from cloner.geometry.meshes.triangles import triangle_sides
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.arrays import Array
@@ -29,7 +30,7 @@ MOST_DEGREES = 60.0
 @functools.lru_cache(maxsize=4)
 def _averaging(triangles_bytes: bytes, count: int) -> sparse.csr_matrix:
     triangles = np.frombuffer(triangles_bytes, dtype=np.int32).reshape(-1, 3)
-    rows = sides(triangles)
+    rows = triangle_sides(triangles)
     rows = np.concatenate([rows, rows[:, ::-1]])
     links = sparse.coo_matrix((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape=(count, count)).tocsr()
     links.data[:] = 1.0
@@ -44,7 +45,7 @@ def _bending(triangles_bytes: bytes, count: int) -> sparse.csc_matrix:
 
 
 def smoothed_directions(directions: Array, triangles: NDArray[np.int32], *, turns: int) -> Array:
-    """Return (V, 3) unit directions, each averaged with its neighbours ``turns`` times.
+    """Return unit directions (V, 3), each averaged with its neighbours ``turns`` times.
 
     In a crease (armpit, crotch) normals of both flanks meet; skin that moves along
     them runs through itself. Averaged, they point out of the crease together.
@@ -58,7 +59,7 @@ def smoothed_directions(directions: Array, triangles: NDArray[np.int32], *, turn
 
 
 def bending_matrix(triangles: NDArray[np.int32], count: int) -> sparse.csc_matrix:
-    """Return the (V, V) energy ``|L h|²`` of a field h on a mesh's vertices (uniform Laplacian)."""
+    """Return the energy matrix (V, V) of ``|L h|²`` for a field h on a mesh's vertices (uniform Laplacian)."""
     return _bending(np.ascontiguousarray(triangles, dtype=np.int32).tobytes(), count)
 
 
@@ -73,7 +74,7 @@ def settle(
     anchor: Array,
     doubt_m: tuple[float, float],
 ) -> Array:
-    """Return the (V,) heights h that minimise Σ w ρ(slope·h − gap) + stiffness |L h|² + Σ anchor h².
+    """Return the heights h (V,) that minimise Σ w ρ(slope·h − gap) + stiffness |L h|² + Σ anchor h².
 
     ρ is Geman and McClure's: what stands beside somebody and counts as them contradicts the outlines of other photos
     or the skin around it, and is left out. That happens oftener than that somebody's part counts as the room, so of two
@@ -106,8 +107,8 @@ def settle(
     return heights
 
 
-def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32]) -> Array:
-    """Return moved vertices with folds taken out: where a triangle turned too far, the motion is evened.
+def without_folds(before_m: Array, after_m: Array, triangles: NDArray[np.int32]) -> Array:
+    """Return moved vertices without folds: where a triangle turned too far, the motion is smoothed.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ ASPECT_LIMITS = (0.8, 1.35)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SlicePairs:
-    """Occluding points of one segment's slices in one photo, and where the photo wants them.
+    """Occluding points of one segment's slices in one photo, and their targets.
 
     Attributes
     ----------
@@ -148,8 +148,8 @@ def _outward_crossing(distance: Array, steps: Array) -> float | None:
     return float(at[np.argmin(np.abs(at))])
 
 
-def completed(pairs: SlicePairs, smooth: float) -> tuple[Array, Bools]:
-    """Return (K, 2, 3) shifts with gaps filled along the axis and smoothed, and (2,) whether a side is known."""
+def completed_shifts(pairs: SlicePairs, smooth: float) -> tuple[Array, Bools]:
+    """Return shifts (K, 2, 3), interpolated along the axis and smoothed, and whether each side is known, (2,)."""
     shift = pairs.shift_m.copy()
     known = pairs.valid.sum(axis=0) >= 2
     for column in (0, 1):
@@ -183,7 +183,7 @@ def slice_weight(theta: Array, first: Array, second: Array) -> Array:
     )
 
 
-def rounded(weight: Array) -> Array:
+def cosine_weight(weight: Array) -> Array:
     """Return the paper's linear weight along the arc as the cosine of the angle it stands for.
 
     Departure: between the occluding points the paper's weight falls linearly, and a slice
@@ -205,12 +205,12 @@ def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> A
     smooth : float
         Gaussian smoothing along the axis, in slices.
     """
-    shift, known = completed(pairs, smooth)
+    shift, known = completed_shifts(pairs, smooth)
     if not known.any():
         return np.zeros((len(s), 3))
     ends = [np.unwrap(pairs.theta[:, c]) for c in (0, 1)]
     first, second = (np.interp(s, pairs.levels, end) for end in ends)
-    weight = rounded(slice_weight(theta, first, second))[:, None]
+    weight = cosine_weight(slice_weight(theta, first, second))[:, None]
     moved = [np.stack([np.interp(s, pairs.levels, shift[:, c, a]) for a in range(3)], axis=1) for c in (0, 1)]
     return np.asarray(weight * moved[0] + (1.0 - weight) * moved[1])
 

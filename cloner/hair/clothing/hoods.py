@@ -15,7 +15,7 @@ from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView, cover
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS, Label, shows
-from cloner.vision.segmentation.pieces import pieces_of
+from cloner.vision.segmentation.pieces import connected_pieces
 
 GLASSES = 0.04  # taste: of the scalp's longer side, some 7 mm: frames of glasses are thinner
 HOOD = 0.5  # of the scalp that photos show clothed
@@ -72,7 +72,7 @@ def hood_on(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: float)
 
 def _lying_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
     """Return (H, W) the pieces that lie on a place by more than a share of their area."""
-    box, pieces, figures = pieces_of(clothed)
+    box, pieces, figures = connected_pieces(clothed)
     inside = np.bincount(pieces[place[box]], minlength=len(figures))
     most = inside > share * figures[:, cv2.CC_STAT_AREA]
     most[0] = False

@@ -8,8 +8,8 @@ from scipy.ndimage import gaussian_filter1d
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.charts.tubes import directions, hull_radii, ring_angles, tube_points
-from cloner.geometry.meshes.triangles import sides
+from cloner.geometry.charts.tubes import convex_hull_radii, directions, ring_angles, tube_points
+from cloner.geometry.meshes.triangles import triangle_sides
 from cloner.hair.clothing.loose_views import LooseView
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -31,7 +31,7 @@ def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angle
     own = generic.segment(*names)
     triangles = body_triangles()
     triangles = triangles[own[triangles].all(axis=1)]
-    edges = sides(triangles)
+    edges = triangle_sides(triangles)
     edges = edges[edges[:, 0] < edges[:, 1]]
     ends = joined.vertices_m[edges]
     centres, radii = np.zeros((len(heights_m), 2)), np.zeros((len(heights_m), len(angles)))
@@ -44,7 +44,7 @@ def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angle
         part = (height - cut[:, 0, 1]) / (cut[:, 1, 1] - cut[:, 0, 1])
         flat = (cut[:, 0] + part[:, None] * (cut[:, 1] - cut[:, 0]))[:, [0, 2]]
         centres[k] = (flat.min(axis=0) + flat.max(axis=0)) / 2.0
-        radii[k] = hull_radii(flat, centres[k], angles)
+        radii[k] = convex_hull_radii(flat, centres[k], angles)
     return centres, radii
 
 

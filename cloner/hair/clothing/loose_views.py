@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.easing import smoothstep
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -97,12 +97,12 @@ class LooseView:
     def project(self, points_m: Array) -> Array:
         """Return (N, 2) photo pixels of rest points of the cloth."""
         joints, weights = self.hanging.weights(points_m)
-        return self.posed.camera.project(skin(points_m, self.transforms, joints, weights))
+        return self.posed.camera.project(linear_blend_skinning(points_m, self.transforms, joints, weights))
 
     def depth(self, point_m: Array) -> float:
         """Return the distance of a rest point (3,) from the camera along its axis, metres."""
         joints, weights = self.hanging.weights(point_m[None])
-        posed = skin(point_m[None], self.transforms, joints, weights)
+        posed = linear_blend_skinning(point_m[None], self.transforms, joints, weights)
         return float(self.posed.camera.to_camera(posed)[0, 2])
 
     def across(self, points_m: Array) -> Array:

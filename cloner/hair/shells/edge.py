@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
-from cloner.geometry.cameras.seeing import depth_at, nearest_of
+from cloner.geometry.cameras.seeing import depth_at, depth_picture
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -47,7 +47,7 @@ def inside_hairline_mm(
         towards = camera.position_m - posed
         towards /= np.linalg.norm(towards, axis=1, keepdims=True)
         cosine = np.einsum("nk,nk->n", view.turn(normals), towards)
-        nearest = np.minimum(view.nearest_m, nearest_of(posed, triangles, camera))
+        nearest = np.minimum(view.nearest_m, depth_picture(posed, triangles, camera))
         # NaN outside the picture: no vote
         before = camera.to_camera(posed)[:, 2] < depth_at(nearest, camera.project(posed)) + SEEN_SLACK_M
         weight = np.where(before & (cosine > SEEN_COSINE), (claim * cosine) ** SHARPNESS, 0.0)

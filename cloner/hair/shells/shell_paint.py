@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
-from cloner.geometry.articulation.skinning import joint_transforms, skin
-from cloner.geometry.cameras.seeing import Sight, look
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
+from cloner.geometry.cameras.seeing import Visibility, visibility
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -30,11 +30,11 @@ from cloner.vision.retouching.evening import (
     apply_light,
     common_balance,
     even_light,
-    first_of,
     light_basis,
-    light_spans,
+    light_coordinates,
+    reference_index,
 )
-from cloner.vision.retouching.repair import own_pixels, repair_bleeding
+from cloner.vision.retouching.repair import remove_background_coloured, repair_bleeding
 
 SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
 LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders
@@ -102,12 +102,12 @@ def paint_shell(
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     pictures = _pictures(photos, usable)
     joints = (skin_joints, skin_weights)
-    looked = abreast(lambda view: _look(generic, joined, view, vertices_m, *joints, atlas.triangles), usable)
-    sights = list(looked)
+    sights = list(abreast(lambda view: _look(generic, joined, view, vertices_m, *joints, atlas.triangles), usable))
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
-    first = first_of(_shown(usable), CLOTH_REFERENCES) if strands is None else int(np.argmax(claims.sum(axis=1) * own))
+    by_view = reference_index(_shown(usable), CLOTH_REFERENCES) if strands is None else None
+    first = int(np.argmax(claims.sum(axis=1) * own)) if by_view is None else by_view
     light, evened = _evened(pictures, sights, seen, normals, first, own)
     shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
     sure, summed = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
@@ -139,7 +139,7 @@ class _Shown:
     """A photo as a source of a shell's colour: its picture, and of every vertex sight, claim (N,) and light (N, 3)."""
 
     picture: NDArray[np.uint8]
-    sight: Sight
+    sight: Visibility
     claim: Array
     light: Array
 
@@ -157,7 +157,7 @@ def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> lis
     return [picture_of[view.posed.view] for view in views]
 
 
-def _claim(view: ShellView, sight: Sight) -> Array:
+def _claim(view: ShellView, sight: Visibility) -> Array:
     """Return (N,) how well a photo shows each vertex, 0 where it does not."""
     seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
     claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
@@ -167,7 +167,7 @@ def _claim(view: ShellView, sight: Sight) -> Array:
 
 def _evened(
     pictures: Sequence[NDArray[np.uint8]],
-    sights: Sequence[Sight],
+    sights: Sequence[Visibility],
     seen: Sequence[Array],
     normals: Array,
     first: int,
@@ -201,7 +201,7 @@ def _gone_on(graph: SurfaceGraph, sure: Array, summed: Array, mean: Array) -> Ar
     known = sure > KNOWN
     nearest = graph.nearest(known)
     near = np.where(known[nearest][:, None], evenly[nearest, :3] / np.maximum(evenly[nearest, 3:], 1e-9), mean)
-    return graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_spans(near))
+    return graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_coordinates(near))
 
 
 def _laid(atlas: AtlasMap, shown: _Shown) -> Layer:
@@ -228,7 +228,7 @@ def _flat(image: NDArray[np.float32]) -> NDArray[np.float32]:
 def _repaired(rgb: NDArray[np.uint8], view: ShellView) -> NDArray[np.uint8]:
     """Return the photo in which everything shows the shell's own nearest colour."""
     size = float(np.sqrt(view.mask.sum()))
-    own = own_pixels(rgb, view.mask, max(REACH_SHARE * size, 2.0 * BAND_PX))
+    own = remove_background_coloured(rgb, view.mask, max(REACH_SHARE * size, 2.0 * BAND_PX))
     return repair_bleeding(rgb, own, BAND_PX)[0]
 
 
@@ -240,7 +240,7 @@ def _look(
     skin_joints: NDArray[np.int32],
     skin_weights: Array,
     triangles: NDArray[np.int32],
-) -> Sight:
+) -> Visibility:
     """Return the shell as one photo sees it; a mirrored photo sees the mirrored shell."""
     points, faces = vertices_m, triangles
     if view.flip_m is not None:
@@ -248,7 +248,11 @@ def _look(
         faces = triangles[:, ::-1]
         skin_joints = twin_joints(generic)[skin_joints]
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.posed.rotations)
-    return look(skin(points, transforms, skin_joints, skin_weights), np.ascontiguousarray(faces), view.posed.camera)
+    return visibility(
+        linear_blend_skinning(points, transforms, skin_joints, skin_weights),
+        np.ascontiguousarray(faces),
+        view.posed.camera,
+    )
 
 
 def twin_joints(generic: GenericHuman) -> NDArray[np.int32]:

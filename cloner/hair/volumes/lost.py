@@ -15,7 +15,7 @@ from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.segmentation.pieces import box_around, pieces_of
+from cloner.vision.segmentation.pieces import box_around, connected_pieces
 
 SURE_MM = 10.0  # so deep in the other photo's outline: heads turn between photos, and perspective widens what is near
 STEP_MM = 2.0  # apart, what is asked
@@ -87,7 +87,7 @@ def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], mi
 
 def _joined(hair: NDArray[np.bool_], lost: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return (H, W) the pieces of both that hold some of the hair: sleeves of its colour are none."""
-    box, pieces, _ = pieces_of(hair | lost)
+    box, pieces, _ = connected_pieces(hair | lost)
     found = np.zeros(hair.shape, np.bool_)
     found[box] = np.isin(pieces, np.unique(pieces[hair[box]]))
     return found

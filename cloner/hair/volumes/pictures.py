@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import nearest_of
+from cloner.geometry.cameras.seeing import depth_picture
 from cloner.hair.volumes.headwear import headwear
 from cloner.paint.lookups.posed import pose
 from cloner.records.bodies import PosedView
@@ -17,7 +17,7 @@ from cloner.records.clones import Joined
 from cloner.records.labels import Label
 from cloner.records.points import Proposal
 from cloner.vision.retouching.repair import nearest_known, signed_distance
-from cloner.vision.segmentation.pieces import box_around, pieces_of
+from cloner.vision.segmentation.pieces import box_around, connected_pieces
 
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
@@ -34,7 +34,7 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
     """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
     hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
     small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    box, pieces, figures = pieces_of(small)
+    box, pieces, figures = connected_pieces(small)
     area = figures[:, cv2.CC_STAT_AREA].astype(float)
     area[0] = 0.0
     kept = np.zeros(hair.shape, np.bool_)
@@ -92,7 +92,7 @@ def body_depth_m(
     generic: GenericHuman, joined: Joined, posed: PosedView, clothed: NDArray[np.bool_]
 ) -> NDArray[np.float32]:
     """Return the depth picture (h, w) of a body in a photo, continued over clothes (H, W) that it shows beside it."""
-    return over_clothes(nearest_of(pose(generic, joined, posed), body_triangles(), posed.camera), clothed)
+    return over_clothes(depth_picture(pose(generic, joined, posed), body_triangles(), posed.camera), clothed)
 
 
 def over_clothes(nearest_m: NDArray[np.float32], clothed: NDArray[np.bool_]) -> NDArray[np.float32]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman
-from cloner.geometry.articulation.skinning import dense_weights, strongest
+from cloner.geometry.articulation.skinning import dense_weights, strongest_weights
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.hair.volumes.views import Hanger
 from cloner.records.arrays import Array
@@ -53,4 +53,4 @@ def hair_weights(generic: GenericHuman, joined: Joined, vertices_m: Array, trian
     own = skin[near]
     share = closeness[..., None] * generic.skin_weights[own]
     np.add.at(whole, (low[:, None, None], generic.skin_joints[own]), share)
-    return strongest(whole)
+    return strongest_weights(whole)

@@ -13,7 +13,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
-from cloner.geometry.meshes.triangles import sides
+from cloner.geometry.meshes.triangles import triangle_sides
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, Body, below
 from cloner.motion.limbs.twist import shared_twist
@@ -153,7 +153,7 @@ def flesh(side: str, joint: str) -> Flesh:
     triangles = triangles[piece == np.bincount(piece).argmax()]
     rows, places = np.unique(triangles, return_inverse=True)
     places = np.asarray(places.reshape(-1, 3), dtype=np.int64)
-    edges = sides(places)
+    edges = triangle_sides(places)
     rim = edges[~np.isin(edges @ [1, len(rows)], edges @ [len(rows), 1])]
     _, hole = np.unique(_pieces(rim)[rim[:, 0]], return_inverse=True)
     return Flesh(rows, places, rim, np.asarray(hole.reshape(-1), dtype=np.int64))

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.dual import skin_dual
+from cloner.geometry.articulation.dual import dual_quaternion_skinning
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 from cloner.motion.flesh.bending import flesh
 from cloner.records.arrays import Array
@@ -58,7 +58,7 @@ def kept_flesh(
     transforms = joint_transforms(clone.joints_m, parents, rotations)
     blend = blend_transforms(transforms, joints, weights)
     linear = np.einsum("vab,vb->va", blend[:, :, :3], rest) + blend[:, :, 3]
-    dual = skin_dual(rest, transforms, parents, joints, weights)
+    dual = dual_quaternion_skinning(rest, transforms, parents, joints, weights)
 
     def missing(points: Array) -> float:
         return wanted - around.volume(points[:count])

@@ -10,7 +10,12 @@ from scipy.spatial import cKDTree
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.articulation.fingers import palm_normal
-from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, posed_joints, skin
+from cloner.geometry.articulation.skinning import (
+    blend_transforms,
+    joint_transforms,
+    linear_blend_skinning,
+    posed_joints,
+)
 from cloner.motion.flesh.bending import CLAVICLE_RAD, FLESHED
 from cloner.motion.flesh.kept_flesh import kept_flesh
 from cloner.motion.limbs import turns
@@ -55,7 +60,7 @@ def in_pose(clone: Clone, rotations: Array) -> Clone:
     clone = _fleshed(clone, rotations)
     transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
     joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
-    vertices = skin(clone.vertices_m, transforms, joints, weights)
+    vertices = linear_blend_skinning(clone.vertices_m, transforms, joints, weights)
     drop = np.array([0.0, -vertices[:, 1].min() + clone.vertices_m[:, 1].min(), 0.0])
     blended = blend_transforms(transforms, joints, weights)
     moved = np.einsum("mab,mb->ma", blended[clone.morph_index, :, :3], clone.morph_delta_m)
@@ -92,7 +97,10 @@ def _carried(clone: Clone, blended: Array, drop: Array) -> dict[str, Array]:
 
 
 def _reposed(shell: Shell, transforms: Array, drop: Array) -> Shell:
-    return replace(shell, vertices_m=skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights) + drop)
+    return replace(
+        shell,
+        vertices_m=linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights) + drop,
+    )
 
 
 def hanging_pose(body: Body) -> Array:

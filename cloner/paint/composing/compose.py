@@ -13,7 +13,7 @@ from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight
 from cloner.geometry.charts.atlas import AtlasMap
-from cloner.geometry.charts.partition import border_shares, partition_surface
+from cloner.geometry.charts.partition import blend_weights, partition_surface
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.composing.baked import Baked, blank
 from cloner.paint.composing.grain import coarse_tiles
@@ -54,7 +54,7 @@ def share_surface(
     owner = partition_surface(scores, graph, smoothing=OWNER_SMOOTHING)
     head = head_weight(generic)
     band = head_band_m * head + band_m * (1.0 - head)
-    shares = border_shares(owner, len(sources), graph, band)
+    shares = blend_weights(owner, len(sources), graph, band)
     return np.where(scores > 0.0, shares + SECOND_CHOICE * scores, 0.0)
 
 

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.geometry.meshes.sweeps import swept
+from cloner.geometry.meshes.sweeps import sweep_profile
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import glasses_frame
 from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, frame_reader, hides_eyes, picture_px
@@ -174,19 +174,19 @@ def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Par
     lifted = [_on_plane(joined, one) + forward for one in flat]
     outward = [np.column_stack([rim * (sign, 1.0), np.zeros(len(rim))]) for sign in SIDES]
     rims = [
-        swept(path, way, np.array([thick, deep]), closed=True)
+        sweep_profile(path, way, np.array([thick, deep]), closed=True)
         for path, way in zip(lifted, outward, strict=True)
     ]  # fmt: skip
     inner = _nearest_height(rim, shape.bridge_m[0], outer=False)
     bridge = _bridge_path(*(path[inner] for path in lifted))
-    parts = [*rims, swept(bridge, _up(bridge), np.array([0.5 * shape.bridge_m[1], deep]), closed=False)]
+    parts = [*rims, sweep_profile(bridge, _up(bridge), np.array([0.5 * shape.bridge_m[1], deep]), closed=False)]
     for side, (sign, middle, hinge, lens) in enumerate(
         zip(SIDES, shape.middles_m, shape.hinges_m, lifted, strict=True)
     ):
         row = _nearest_height(rim, float(hinge[1] - middle[1]), outer=True)
         way = _temple_path(generic, joined, lens[row], _on_plane(joined, hinge) + forward, "LR"[side], sign)
         tall = np.clip(thick, *TEMPLE_M)
-        parts.append(swept(way, _up(way), np.array([tall, TEMPLE_WIDE_M]), closed=False))
+        parts.append(sweep_profile(way, _up(way), np.array([tall, TEMPLE_WIDE_M]), closed=False))
     if shape.dark:
         parts += [_disc(path) for path in lifted]
     return parts

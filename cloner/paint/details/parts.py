@@ -15,7 +15,7 @@ from cloner.vision.retouching.painting import (
     paint_plain,
     paint_teeth,
     paint_tongue,
-    white_rgb,
+    sclera_rgb,
 )
 
 USUAL_SKIN_RGB = (190.0, 160.0, 145.0)  # taste: for a mesh whose face has no texels
@@ -36,12 +36,12 @@ def paint_parts(
 ) -> None:
     """Paint every part but the skin into the texels (size, size, 3); ``atlas`` is that of the parts.
 
-    ``skin_rgb`` (3,) is the face's in these texels (:func:`face_rgb`), ``white_to_skin`` (3,) how much lighter the
+    ``skin_rgb`` (3,) is the face's in these texels (:func:`face_rgb`), ``sclera_to_skin`` (3,) how much lighter the
     whites are than the skin around the eyes, None for the usual.
     """
     flat = rgb.reshape(-1, 3)
     # teeth of full white stare out of a dark photo: they stand in the light of the eyes' whites
-    light = min(float(np.mean(white_rgb(skin_rgb, white_to_skin)) / np.mean(SCLERA_RGB)), 1.0)
+    light = min(float(np.mean(sclera_rgb(skin_rgb, white_to_skin)) / np.mean(SCLERA_RGB)), 1.0)
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
     for number, name in enumerate(generic.part_names):
         if name == "body":

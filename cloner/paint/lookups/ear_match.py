@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
-from cloner.geometry.cameras.seeing import DEPTH_SCALE, Sight
+from cloner.geometry.cameras.seeing import DEPTH_SCALE, Visibility
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
@@ -47,7 +47,7 @@ def shift_ear(
     generic: GenericHuman,
     posed_m: Array,
     triangles: NDArray[np.int32],
-    sight: Sight,
+    sight: Visibility,
     hair: NDArray[np.bool_],
     view: ViewId,
     lookup_px: Array,

@@ -22,12 +22,12 @@ from cloner.vision.retouching.evening import (
     beyond_light,
     common_balance,
     even_light,
-    first_of,
+    exposure_confidence,
     light_basis,
-    light_spans,
+    light_coordinates,
     log_levels,
     one_sided_light,
-    unsaturated,
+    reference_index,
 )
 from cloner.vision.retouching.painting import paint_mouth
 
@@ -69,14 +69,14 @@ def even_photos(
     normals : (V, 3) unit
     kinds : Materials
     """
-    trust = np.stack([_trust(source) for source in sources]) * unsaturated(colours)
+    trust = np.stack([_trust(source) for source in sources]) * exposure_confidence(colours)
     skin, worn = (kinds.bare > 0.5) & (kinds.scalp < 0.5), kinds.worn > 0.5
     halves = flatten_halves(sources, colours, skin, generic.mirror, graph)
     bare = _even_kind(sources, colours, normals, trust * skin, halves, SKIN_PRIOR)
     sides = _flattened(generic, sources, colours, trust * worn, normals)
     light = kinds.bare[:, None] * bare
     light += kinds.worn[:, None] * _even_kind(sources, colours, normals, trust * worn, sides, 0.0)
-    first = first_of(_shown(sources), _REFERENCES)
+    first = reference_index(_shown(sources), _REFERENCES)
     if (trust[first] * skin).any():
         logs = np.asarray(log_levels(colours), np.float64) + light
         plain = np.median(logs[first, (trust[first] > 0.0) & skin], axis=0)
@@ -96,7 +96,7 @@ def level_photos(
     colours : (K, V, 3) levels, not yet evened
     """
     score = np.stack([source.score for source in sources])
-    light = light + level_borders(evened_colours(colours, light), score, unsaturated(colours), graph)
+    light = light + level_borders(evened_colours(colours, light), score, exposure_confidence(colours), graph)
     logs = np.asarray(log_levels(colours), np.float64) + light
     skin = (kinds.bare > 0.5) & (kinds.scalp < 0.5)
     return np.asarray(light + (kinds.bare * flatten_slants(generic, sources, logs, skin, graph))[:, None])
@@ -109,7 +109,7 @@ def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Arr
     trust: light that overlaps do not show is told by the skin itself.
     """
     level = evened_colours(colours, own)
-    first = first_of(_shown(sources), _REFERENCES if prior > 0.0 else CLOTH_REFERENCES)
+    first = reference_index(_shown(sources), _REFERENCES if prior > 0.0 else CLOTH_REFERENCES)
     hold = np.where(np.arange(len(sources)) == first, REFERENCE_HOLD, 1.0)
     rows = trust[first] > 0.0
     if prior > 0.0 and rows.any():
@@ -229,7 +229,7 @@ def fill_surface(
         if not (own > FILL_TRUST).any():  # no photo shows this kind: whatever is there must do
             colour, own = _mean_shown(generic, sources, evened, np.ones_like(shown))
         near = colour[graph.nearest(own > FILL_TRUST)]
-        return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, light_spans(near))
+        return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, light_coordinates(near))
 
     all_kinds = ((skin, shown), (kinds.bare * kinds.scalp, shown), (kinds.worn, 1.0 - shown))
     return np.clip(np.stack(list(abreast(field, all_kinds))), 0.0, 255.0).astype(np.float32)
@@ -240,7 +240,7 @@ def _mean_shown(generic: GenericHuman, sources: list[Source], evened: Array, ali
     score = np.stack([source.score for source in sources]) * alike
     total = score.sum(axis=0)
     colour = (score[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
-    weight = np.clip(total * 2.0, 0.0, 1.0) * np.maximum(unsaturated(colour), BURNT_WEIGHT)
+    weight = np.clip(total * 2.0, 0.0, 1.0) * np.maximum(exposure_confidence(colour), BURNT_WEIGHT)
     inside = generic.region("mouth_interior")
     lips_m = generic.vertices_m[generic.feature("stomion"), 2]
     colour[inside], weight[inside] = paint_mouth(lips_m - generic.vertices_m[inside, 2]), 1.0

@@ -25,12 +25,12 @@ from cloner.generic.photo_shares import arms
 from cloner.geometry.cameras.seeing import DEPTH_SCALE
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.paint.lookups.sources import Source
-from cloner.vision.retouching.line_match import LinePicture, Looked, Reach, line_pictures, match_lines
+from cloner.vision.retouching.line_match import LinePicture, MatchScales, SharedSamples, line_pictures, match_lines
 
 SIZE: Final = 384  # texels a side at which photos are compared: 7 mm on the body, 3 mm on the face
 #: How finely faces and bodies are matched; what the fit is wrong by was measured on people of the kit.
-FACE: Final = Reach(blur_m=0.0015, usual_m=0.003, most_m=0.010)
-BODY: Final = Reach(blur_m=0.004, usual_m=0.010, most_m=0.025)
+FACE: Final = MatchScales(blur_m=0.0015, usual_m=0.003, most_m=0.010)
+BODY: Final = MatchScales(blur_m=0.004, usual_m=0.010, most_m=0.025)
 LEAST_COSINE: Final = 0.2  # more slanting sights are stretched too much to be compared
 #: Who is displaced, in this order, and towards whom: earlier ones stay as they then lie.
 MEETING: Final = (
@@ -66,11 +66,11 @@ def _moved(generic: GenericHuman, source: Source, met: Source) -> Source:
     return replace(source, lookup_px=met.lookup_px[generic.mirror]) if source.mirrored else met
 
 
-def _reach(view: ViewId) -> Reach:
+def _reach(view: ViewId) -> MatchScales:
     return FACE if view.is_face else BODY
 
 
-def _lines_of(source: Source) -> dict[Reach, list[LinePicture]]:
+def _lines_of(source: Source) -> dict[MatchScales, list[LinePicture]]:
     """Return a photo's lines as fine as faces, and as fine as bodies are matched."""
     plate, pixel_m = source.plate, source.sight.metres_per_pixel * DEPTH_SCALE
     wanted = (FACE, BODY) if source.view.is_face else (BODY,)
@@ -81,7 +81,7 @@ def _met(
     generic: GenericHuman,
     atlas: AtlasMap,
     others: list[Source],
-    lines: dict[ViewId, dict[Reach, list[LinePicture]]],
+    lines: dict[ViewId, dict[MatchScales, list[LinePicture]]],
     source: Source,
 ) -> Source:
     """Return a source displaced towards others; arms, which hang before the trunk, by themselves."""
@@ -97,7 +97,7 @@ def _met(
     return source if (lookup == source.lookup_px).all() else replace(source, lookup_px=lookup)
 
 
-def _shared(atlas: AtlasMap, source: Source, other: Source, part: NDArray[np.bool_]) -> Looked | None:
+def _shared(atlas: AtlasMap, source: Source, other: Source, part: NDArray[np.bool_]) -> SharedSamples | None:
     """Return what two sources both show of some vertices (V,), None where that is nothing."""
     seen = part.copy()
     for one in (source, other):
@@ -107,4 +107,4 @@ def _shared(atlas: AtlasMap, source: Source, other: Source, part: NDArray[np.boo
         return None
     table = np.column_stack([source.lookup_px, other.lookup_px, source.sight.cosine, other.sight.cosine])
     values = atlas.interpolate(table, rows)
-    return Looked(values[:, :2], values[:, 2:4], np.clip(np.minimum(values[:, 4], values[:, 5]), 0.0, 1.0))
+    return SharedSamples(values[:, :2], values[:, 2:4], np.clip(np.minimum(values[:, 4], values[:, 5]), 0.0, 1.0))

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.skinning import joint_transforms, skin
-from cloner.geometry.cameras.seeing import Sight, look, nearest_of
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
+from cloner.geometry.cameras.seeing import Visibility, depth_picture, visibility
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -26,13 +26,13 @@ def pose(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
     """Return the (V, 3) vertices as the person stood in one photo, metres."""
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
     joints, weights = np.asarray(generic.skin_joints, np.int32), np.asarray(generic.skin_weights, np.float64)
-    return skin(joined.vertices_m, transforms, joints, weights)
+    return linear_blend_skinning(joined.vertices_m, transforms, joints, weights)
 
 
 def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
     """Return the (N, 3) vertices of a shell as in one photo, metres."""
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
-    return skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+    return linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,7 +48,7 @@ class Stood:
     """
 
     posed_m: Array
-    sight: Sight
+    sight: Visibility
     hair_m: NDArray[np.float32]
 
     @property
@@ -60,9 +60,9 @@ class Stood:
 def stand(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> Stood:
     """Return the person as one photo's camera sees body and shells."""
     posed = pose(generic, joined, view)
-    sight = look(posed, body_triangles(), view.camera)
+    sight = visibility(posed, body_triangles(), view.camera)
     hair_m = np.full_like(sight.nearest_m, np.inf)
     for shell in shells:
         shape = pose_shell(generic, joined, view, shell)
-        hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, view.camera))
+        hair_m = np.minimum(hair_m, depth_picture(shape, shell.triangles, view.camera))
     return Stood(posed, sight, hair_m)

@@ -16,7 +16,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.bare_skin import label_colour
-from cloner.vision.retouching.plates import Plate, prepare_plate
+from cloner.vision.retouching.plates import MattedPhoto, prepare_matted_photo
 from cloner.vision.retouching.skin_colour import SkinColour
 
 PERSON_LEVEL = 127  # a net's probability above one half
@@ -73,10 +73,10 @@ def make_plate(
     mask: NDArray[np.bool_],
     limits: Limits,
     skin: SkinColour | None,
-) -> Plate:
-    """Return the photo without background; see :func:`prepare_plate`."""
+) -> MattedPhoto:
+    """Return the photo without background; see :func:`prepare_matted_photo`."""
     frontal = proposal.face_presence >= limits.face_presence and view.is_front
-    return prepare_plate(
+    return prepare_matted_photo(
         rgb,
         mask,
         proposal.labels,

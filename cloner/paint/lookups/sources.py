@@ -15,7 +15,7 @@ from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import Sight, depth_at
+from cloner.geometry.cameras.seeing import Visibility, depth_at
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import Stood, stand
@@ -29,11 +29,11 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import outline_shift, sample, shift_points
-from cloner.vision.retouching.evening import unclipped, unsaturated
-from cloner.vision.retouching.open_mouth import own_edges
-from cloner.vision.retouching.plates import Plate
-from cloner.vision.retouching.repair import without_room
-from cloner.vision.retouching.strangers import own_colours
+from cloner.vision.retouching.evening import exposure_confidence, restore_clipped_hue
+from cloner.vision.retouching.open_mouth import lip_colour_edges
+from cloner.vision.retouching.plates import MattedPhoto
+from cloner.vision.retouching.repair import remove_outside_body
+from cloner.vision.retouching.strangers import colours_by_height
 
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
@@ -69,8 +69,8 @@ class Source:
 
     view: ViewId
     mirrored: bool
-    plate: Plate
-    sight: Sight
+    plate: MattedPhoto
+    sight: Visibility
     lookup_px: Array
     hair_m: NDArray[np.float32]
     hair: NDArray[np.uint8]
@@ -97,7 +97,7 @@ def gather_sources(
         stood = stand(generic, joined, shells, joined.views[view])
         mask = person_mask(view, proposals.views[view], silhouettes)
         if not view.is_face:  # a face photo's shoulders hang in no known pose
-            mask = without_room(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
+            mask = remove_outside_body(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
             mask = own.without_room(photos.photos[view].rgb, mask)
         photo, proposal = photos.photos[view].rgb, proposals.views[view]
         if glasses:
@@ -109,7 +109,7 @@ def gather_sources(
 
     views = [view for view in joined.views if view in photos.photos and view in proposals.views]
     bodies = [view for view in views if not view.is_face]
-    own = own_colours((photos.photos[v].rgb, person_mask(v, proposals.views[v], silhouettes)) for v in bodies)
+    own = colours_by_height((photos.photos[v].rgb, person_mask(v, proposals.views[v], silhouettes)) for v in bodies)
     for view, found in zip(views, abreast(prepared, views), strict=True):
         if found is None:
             continue
@@ -127,7 +127,7 @@ def make_source(
     generic: GenericHuman,
     stood: Stood,
     view: ViewId,
-    plate: Plate,
+    plate: MattedPhoto,
     limits: Limits,
     taken: frozenset[ViewId],
 ) -> tuple[Source, float]:
@@ -138,7 +138,7 @@ def make_source(
     lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
     if plate.lips_px is not None:
         grid = mouth_grid()
-        lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], own_edges(plate.lips_px))
+        lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], lip_colour_edges(plate.lips_px))
     rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
     hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
@@ -155,11 +155,11 @@ def make_source(
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
     # Where a photo is burnt out another one shows more, if it faces the surface better.
     square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
-    share = share * np.maximum(np.maximum(unsaturated(sample(plate.blurred, lookup)), square), BURNT_CLAIM)
+    share = share * np.maximum(np.maximum(exposure_confidence(sample(plate.blurred, lookup)), square), BURNT_CLAIM)
     return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
-def align(sight: Sight, plate: Plate, limits: Limits, placed_px: Array | None = None) -> tuple[Array, float]:
+def align(sight: Visibility, plate: MattedPhoto, limits: Limits, placed_px: Array | None = None) -> tuple[Array, float]:
     """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px.
 
     ``placed_px`` (N, 2) is where the mesh lies on the photo already: shoulders in no known pose, as a face photo shows
@@ -191,7 +191,7 @@ def shown_colours(
     if plate.shares is None:
         return colour
     shown = sample(plate.skin, lookup_px)[:, 0] / 255.0 if skin is None else skin
-    return np.asarray(unclipped(colour, plate.shares, shown), np.float32)
+    return np.asarray(restore_clipped_hue(colour, plate.shares, shown), np.float32)
 
 
 def mirror_source(generic: GenericHuman, source: Source) -> Source:

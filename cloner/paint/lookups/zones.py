@@ -14,7 +14,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head, lower_arms
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.plates import Plate
+from cloner.vision.retouching.plates import MattedPhoto
 
 STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
 #: How far from the scalp hairlines of people lie on the face: foreheads are 6 cm high.
@@ -55,7 +55,7 @@ def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: fl
     return np.asarray(cv2.resize(near, (width, height), interpolation=cv2.INTER_NEAREST) > 0, bool)
 
 
-def near_bare_head(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+def near_bare_head(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
     """Return which of (V,) lookups land on or beside the bare skin of head and neck; arms have skin of their own."""
     reach = 2 * int(np.ceil(STRAY_SHARE * plate.figure_px)) + 1
     head = plate.bare.astype(np.uint8)
@@ -64,7 +64,7 @@ def near_bare_head(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDA
     return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
 
 
-def in_arm_zone(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+def in_arm_zone(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
     """Return (V,) False where an arm is seen but the mesh has the trunk, or the other way round."""
     if not plate.arms.any():
         return np.ones(len(lookup_px), bool)

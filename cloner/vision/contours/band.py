@@ -20,8 +20,8 @@ from cloner.calibration.loader import calibrated
 from cloner.vision.contours.edges import EdgeMap, refine_subpixel, sample
 from cloner.vision.contours.linking import FEWEST_POINTS, split_curves, walk_curves
 from cloner.vision.contours.loops import MaskLoop
-from cloner.vision.contours.seen_edges import SeenEdges
-from cloner.vision.contours.sides import colour_model, side_evidence
+from cloner.vision.contours.seen_edges import CachedEdges
+from cloner.vision.contours.sides import colour_model, colour_side_evidence
 
 #: What each number is and where it comes from: ``cloner/calibration/vision.toml``.
 _CALIBRATED: Final = calibrated("vision.band")
@@ -123,7 +123,7 @@ class Band:
 
 
 def gather_band(
-    seen: SeenEdges,
+    seen: CachedEdges,
     mask: Image,
     loops: list[MaskLoop],
     *,
@@ -158,7 +158,7 @@ def gather_band(
     if len(pixels) == 0:
         return [_empty_band() for _ in loops]
     local = refine_subpixel(edge_map, pixels)
-    strength = _strengths(edge_map, pixels)
+    strength = _edge_magnitudes(edge_map, pixels)
     owner = np.repeat(np.arange(len(loops)), [len(loop.points) for loop in loops])
     starts = np.concatenate([[0], np.cumsum([len(loop.points) for loop in loops])])
     distances, hits = cKDTree(everywhere).query(local + offset)
@@ -172,19 +172,19 @@ def gather_band(
         # A run between two contours may have stray points nearer to the other one.
         if strange.any():
             distances[take[strange]], nearest[strange] = cKDTree(loop.points).query(local[take[strange]] + offset)
-        inward = _across(edge_map, pixels[take], loop.inward[nearest])
+        inward = _inward_gradients(edge_map, pixels[take], loop.inward[nearest])
         model = colour_model(smooth, mask[window], _shifted(loop, offset), band_px=reach)
-        evidence = side_evidence(smooth, model, local[take], inward, nearest)
+        evidence = colour_side_evidence(smooth, model, local[take], inward, nearest)
         clear = np.add.reduceat(evidence, bounds[:-1]) if len(mine) else np.zeros(0)
         clear = clear >= params.least_evidence * np.diff(bounds)
         strengths = np.maximum(np.minimum(strength[take], params.strength_cap) * evidence, 1.0)
         raw = Band(local[take] + offset, nearest, distances[take], strengths, bounds[:-1], np.diff(bounds), np.zeros(0))
-        bands.append(_directed(raw, clear, loop, params))
+        bands.append(_along_contour(raw, clear, loop, params))
     return bands
 
 
 def band_reach(mask: Image, loop: MaskLoop, *, height_px: float, params: LinkParams) -> Floats:
-    """Return (N,) half widths in px of the vicinity band along a contour: wide where the mask rises slowly.
+    """Return half widths (N,) px of the vicinity band along a contour: wide where the mask's edge is soft.
 
     A mask that jumps from nothing to certainty knows where its contour is; one that creeps does not, and there the
     edges decide over a wider band.
@@ -214,13 +214,13 @@ def _vicinity(points_px: Floats, shape: tuple[int, ...], reaches_px: Floats) -> 
     return np.asarray(near)
 
 
-def _strengths(edge_map: EdgeMap, pixels_px: Floats) -> Floats:
+def _edge_magnitudes(edge_map: EdgeMap, pixels_px: Floats) -> Floats:
     """Return the magnitude at edge pixels in units of the hysteresis's lower threshold."""
     columns, rows = pixels_px[:, 0].astype(np.intp), pixels_px[:, 1].astype(np.intp)
     return np.asarray(edge_map.magnitude[rows, columns] / edge_map.low, dtype=np.float64)
 
 
-def _across(edge_map: EdgeMap, pixels_px: Floats, inward: Floats) -> Floats:
+def _inward_gradients(edge_map: EdgeMap, pixels_px: Floats, inward: Floats) -> Floats:
     """Return the unit gradient at edge pixels, signed to point towards the person."""
     columns, rows = pixels_px[:, 0].astype(np.intp), pixels_px[:, 1].astype(np.intp)
     slope = edge_map.gradient[rows, columns].astype(np.float64)
@@ -242,8 +242,8 @@ def _shifted(loop: MaskLoop, offset: Floats) -> MaskLoop:
     return MaskLoop(loop.points - offset, loop.tangents, loop.inward, loop.is_hole)
 
 
-def _directed(raw: Band, clear: Bools, loop: MaskLoop, params: LinkParams) -> Band:
-    """Turn segments along the contour; drop those that cross it, are short or not ``clear``."""
+def _along_contour(raw: Band, clear: Bools, loop: MaskLoop, params: LinkParams) -> Band:
+    """Orient segments along the contour; drop those that cross it, are short or not ``clear``."""
     first, count = raw.first, raw.count
     last = first + count - 1
     chord = raw.points[last] - raw.points[first]

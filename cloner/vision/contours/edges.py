@@ -22,7 +22,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.vision.photographs.gradients import lengths
+from cloner.vision.photographs.gradients import magnitudes
 
 Floats = NDArray[np.float64]
 Image = NDArray[np.float32]
@@ -97,9 +97,9 @@ def strongest_gradient(rgb: NDArray[np.uint8], *, blur_px: float = BLUR_PX) -> I
         for order in ((1, 0), (0, 1))
     ]
     (best_x, best_y), *others = zip(*map(cv2.split, slopes), strict=True)
-    best = lengths(best_x, best_y)
+    best = magnitudes(best_x, best_y)
     for x, y in others:
-        length = lengths(x, y)
+        length = magnitudes(x, y)
         wins = cv2.compare(length, best, cv2.CMP_GT)
         for source, target in ((x, best_x), (y, best_y), (length, best)):
             cv2.copyTo(source, wins, target)
@@ -150,7 +150,7 @@ def detect_edges(
     EdgeMap
     """
     gradient = strongest_gradient(rgb, blur_px=blur_px)
-    magnitude = lengths(gradient[..., 0], gradient[..., 1])
+    magnitude = magnitudes(gradient[..., 0], gradient[..., 1])
     noise = noise_level(magnitude)
     low, high = low_sigmas * noise, high_sigmas * noise
     fixed = np.rint(gradient * np.float32(SOBEL_GAIN * FIXED_POINT)).astype(np.int16)

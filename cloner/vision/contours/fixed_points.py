@@ -1,4 +1,4 @@
-"""Bend a closed contour through points an operator placed, and nowhere else."""
+"""A closed contour bent locally through points that an operator placed."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def bend_through(polygon_px: Floats, fixed_px: Floats) -> Floats:
     """
     if len(fixed_px) == 0 or len(polygon_px) < 3:
         return polygon_px.copy()
-    at, rows = _last_of_each(np.asarray(cKDTree(polygon_px).query(fixed_px)[1], dtype=np.intp))
+    at, rows = _last_rows(np.asarray(cKDTree(polygon_px).query(fixed_px)[1], dtype=np.intp))
     moves = fixed_px[rows] - polygon_px[at]
     sides = np.linalg.norm(np.roll(polygon_px, -1, axis=0) - polygon_px, axis=1)
     arc = np.concatenate([[0.0], np.cumsum(sides)])
@@ -96,7 +96,7 @@ def keep_in_cones(band: Band, fixed: Ints, *, contour_points: int) -> Band:
     )
 
 
-def _last_of_each(at: Ints) -> tuple[Ints, Ints]:
-    """Return the distinct values, increasing, and for each the last row that holds it."""
+def _last_rows(at: Ints) -> tuple[Ints, Ints]:
+    """Return the distinct values, increasing, and the last row with each."""
     values, rows = np.unique(at[::-1], return_index=True)
     return values, (len(at) - 1 - rows).astype(np.intp)

@@ -125,13 +125,13 @@ def split_curves(curves: list[Floats], *, longest_px: float, deviation_px: float
     starts = np.cumsum(lengths) - lengths
     first = np.append(starts[which] + number * lengths[which] // pieces[which], len(points))
     while True:
-        extra = _worst_bends(points, first, deviation_px)
+        extra = _largest_deviations(points, first, deviation_px)
         if len(extra) == 0:
             return points, first
         first = np.union1d(first, extra).astype(np.intp)
 
 
-def _worst_bends(points: Floats, first: Ints, deviation_px: float) -> Ints:
+def _largest_deviations(points: Floats, first: Ints, deviation_px: float) -> Ints:
     """Return for each run that bends too much the index of its farthest point."""
     count = np.diff(first)
     run = np.repeat(np.arange(len(count)), count)

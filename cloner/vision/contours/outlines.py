@@ -25,7 +25,7 @@ from cloner.vision.contours.loops import (
     mask_loops,
     place_feature_points,
 )
-from cloner.vision.contours.seen_edges import see_edges
+from cloner.vision.contours.seen_edges import cache_edges
 from cloner.vision.contours.tracing import trace_loop
 
 Floats = NDArray[np.float64]
@@ -132,23 +132,23 @@ def extract_outline(
     """
     settings = params or LinkParams()
     height = figure_height(mask)
-    mask = smoothed(mask, height, settings)
+    mask = smooth_mask(mask, height, settings)
     loops = mask_loops(mask, height_px=height)
     if not loops:
         return Outline((), np.zeros(mask.shape, dtype=bool), height)
     points = np.zeros((0, 2)) if feature_points_px is None else feature_points_px
     given = _given_to_loops(loops, points, np.zeros(len(points), dtype=bool) if fixed is None else fixed)
-    loops = [_bent(loop, own, height) for loop, own in zip(loops, given, strict=True)]
+    loops = [_bend_through_fixed(loop, own, height) for loop, own in zip(loops, given, strict=True)]
     everywhere = np.concatenate([loop.points for loop in loops])
-    seen = see_edges(rgb, everywhere, margin_px=max(settings.margin * height, 8.0))
+    seen = cache_edges(rgb, everywhere, margin_px=max(settings.margin * height, 8.0))
     bands = gather_band(seen, mask, loops, height_px=height, params=settings)
     traced = [_trace(*its, height, settings) for its in zip(loops, bands, given, strict=True)]
     filled = fill_polygons([t.polygon for t in traced], [t.is_hole for t in traced], mask.shape)
     return Outline(tuple(traced), filled, height)
 
 
-def smoothed(mask: NDArray[np.float32], height_px: float, params: LinkParams) -> NDArray[np.float32]:
-    """Return a mask without the net's staircase."""
+def smooth_mask(mask: NDArray[np.float32], height_px: float, params: LinkParams) -> NDArray[np.float32]:
+    """Return a mask without the staircase of the net's low resolution."""
     if height_px <= 0:
         return mask
     sigma = max(params.smoothing * height_px, 0.3)
@@ -157,7 +157,7 @@ def smoothed(mask: NDArray[np.float32], height_px: float, params: LinkParams) ->
 
 
 def _given_to_loops(loops: list[MaskLoop], points_px: Floats, fixed: Bools) -> list[_Given]:
-    """Give each point to the contour nearest to it."""
+    """Assign each point to the nearest contour."""
     owner = np.repeat(np.arange(len(loops)), [len(loop.points) for loop in loops])
     tree = cKDTree(np.concatenate([loop.points for loop in loops]))
     whose = owner[tree.query(points_px)[1]] if len(points_px) else np.zeros(0, dtype=np.intp)
@@ -165,8 +165,8 @@ def _given_to_loops(loops: list[MaskLoop], points_px: Floats, fixed: Bools) -> l
     return [_Given(row, points_px[row], fixed[row]) for row in rows]
 
 
-def _bent(loop: MaskLoop, given: _Given, height_px: float) -> MaskLoop:
-    """Return the contour bent through its fixed points, so that edges are looked for near them."""
+def _bend_through_fixed(loop: MaskLoop, given: _Given, height_px: float) -> MaskLoop:
+    """Return the contour bent through its fixed points, so that edges are searched near them."""
     if not given.fixed.any():
         return loop
     polygon = bend_through(loop.points, given.points[given.fixed])

@@ -1,4 +1,4 @@
-"""The edges of a part of a photo, found once and looked up again while an outline is corrected."""
+"""Edges of a part of a photo, detected once and reused while an outline is corrected."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COLOUR_BLUR_PX = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class SeenEdges:
+class CachedEdges:
     """The edges of one part of a photo.
 
     Attributes
@@ -42,16 +42,16 @@ class SeenEdges:
         left, top = (int(value) for value in self.top_left)
         return slice(top, top + rows), slice(left, left + columns)
 
-    def around(self, points_px: Floats, *, margin_px: float) -> SeenEdges:
+    def around(self, points_px: Floats, *, margin_px: float) -> CachedEdges:
         """Return the part of it that holds all points."""
         own = self.edge_map
         corner, at = _window(points_px - self.top_left, own.edges.shape, margin_px=margin_px)
         cut = EdgeMap(own.edges[at], own.gradient[at], own.magnitude[at], own.low, own.high)
-        return SeenEdges(self.top_left + corner, cut, self.smooth[at])
+        return CachedEdges(self.top_left + corner, cut, self.smooth[at])
 
 
-def see_edges(rgb: NDArray[np.uint8], points_px: Floats, *, margin_px: float) -> SeenEdges:
-    """Find the edges of the part of a photo that holds all points.
+def cache_edges(rgb: NDArray[np.uint8], points_px: Floats, *, margin_px: float) -> CachedEdges:
+    """Detect the edges of the part of a photo that holds all points.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def see_edges(rgb: NDArray[np.uint8], points_px: Floats, *, margin_px: float) ->
     """
     top_left, window = _window(points_px, rgb.shape, margin_px=margin_px)
     smooth = cv2.GaussianBlur(rgb[window], (0, 0), COLOUR_BLUR_PX).astype(np.float32)
-    return SeenEdges(top_left, detect_edges(rgb[window]), smooth)
+    return CachedEdges(top_left, detect_edges(rgb[window]), smooth)
 
 
 def _window(points_px: Floats, shape: tuple[int, ...], *, margin_px: float) -> tuple[Floats, tuple[slice, slice]]:

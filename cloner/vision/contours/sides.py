@@ -1,4 +1,4 @@
-"""Does an edge part the person from the background?  Evidence from the colours on its two sides.
+"""Evidence that an edge separates person and background, from the colours on both sides of it.
 
 A strong edge inside the shirt, or a poster's border just behind it, has the same kind of colour on
 both sides as the surely-inside, or as the surely-outside, beside it.  The outline has not.
@@ -34,7 +34,7 @@ CERTAIN = 0.64
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ColourModel:
-    """Surely-inside and surely-outside colours at stations along a contour.
+    """Samples of certain inside and outside colours at stations along a contour.
 
     Attributes
     ----------
@@ -91,14 +91,14 @@ def _nearest_colour(colours: Floats, known: Floats, stations: Ints) -> Floats:
     return np.asarray(np.sqrt(best))
 
 
-def side_evidence(
+def colour_side_evidence(
     smooth: Image,
     model: ColourModel,
     points_px: Floats,
     inward: Floats,
     nearest: Ints,
 ) -> Floats:
-    """Return how well edge points part inside from outside colours.
+    """Return how well edge points separate inside from outside colours.
 
     Parameters
     ----------

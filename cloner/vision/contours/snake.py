@@ -78,7 +78,7 @@ def normals(points_px: Array, *, closed: bool) -> Array:
     return np.column_stack([-along[:, 1], along[:, 0]])
 
 
-def look_along(picture: Picture, points_px: Array, across: Array, reach_px: float) -> tuple[Array, Array]:
+def sample_along_normals(picture: Picture, points_px: Array, across: Array, reach_px: float) -> tuple[Array, Array]:
     """Return offsets (S,) and the smoothed picture (N, S, C) along normals.
 
     Parameters
@@ -96,11 +96,11 @@ def look_along(picture: Picture, points_px: Array, across: Array, reach_px: floa
 
 
 def find_edges(picture: Picture, points_px: Array, across: Array, reach_px: float, sign: Sign) -> tuple[Array, Array]:
-    """Return how far along its normal each point's best edge lies, (N,) px, and how much it is believed, (N,) 0..1.
+    """Return the offset of each point's best edge along its normal, (N,) px, and its confidence, (N,) 0..1.
 
     The offset is refined by a parabola through the gradient's peak, which gives parts of a pixel.
     """
-    offsets, seen = look_along(picture, points_px, across, reach_px)
+    offsets, seen = sample_along_normals(picture, points_px, across, reach_px)
     slope: Array = np.asarray(np.gradient(seen, _STEP_PX, axis=1))
     strength: Array
     if sign == "line":
@@ -128,7 +128,7 @@ def find_edges(picture: Picture, points_px: Array, across: Array, reach_px: floa
 
 
 def spring_matrix(count: int, *, closed: bool) -> Array:
-    """Return the (E, N) matrix of differences between neighbours, next and next but one, scaled by their rest count."""
+    """Return the (E, N) matrix of first and second differences between neighbours, scaled by their number at rest."""
     rows = []
     for step in (1, 2):
         for first in range(count if closed else count - step):
@@ -138,8 +138,8 @@ def spring_matrix(count: int, *, closed: bool) -> Array:
     return np.array(rows).reshape(-1, count)
 
 
-def pull(picture: Picture, curve: Curve, params: SnakeParams) -> tuple[Array, Array]:
-    """Return the curve on the image's edges, (N, 2) px, and how much each point's last edge is believed, (N,) 0..1.
+def run_snake(picture: Picture, curve: Curve, params: SnakeParams) -> tuple[Array, Array]:
+    """Return the curve on the image's edges, (N, 2) px, and the confidence of each point's last edge, (N,) 0..1.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""One stretch of a standing outline linked again, through points an operator placed: fast enough to watch.
+"""Relinking of one stretch of an outline through points that an operator placed, fast enough for interaction.
 
 References
 ----------
@@ -16,8 +16,8 @@ from scipy.spatial import cKDTree
 from cloner.vision.contours.band import LinkParams, gather_band
 from cloner.vision.contours.fixed_points import REACH_PER_HEIGHT, bend_through, keep_in_cones
 from cloner.vision.contours.loops import MaskLoop, figure_height, loop_from_points, mask_loops
-from cloner.vision.contours.outlines import smoothed
-from cloner.vision.contours.seen_edges import SeenEdges, see_edges
+from cloner.vision.contours.outlines import smooth_mask
+from cloner.vision.contours.seen_edges import CachedEdges, cache_edges
 from cloner.vision.contours.tracing import trace_loop
 
 Floats = NDArray[np.float64]
@@ -34,8 +34,8 @@ _LONGEST = 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Linkable:
-    """A photo made ready for linking stretches of its outline again.
+class LinkableOutline:
+    """A photo prepared for relinking stretches of its outline.
 
     Attributes
     ----------
@@ -48,25 +48,25 @@ class Linkable:
 
     mask: NDArray[np.float32]
     loops: tuple[MaskLoop, ...]
-    seen: SeenEdges
+    seen: CachedEdges
     height_px: float
 
 
-def make_linkable(rgb: NDArray[np.uint8], mask: NDArray[np.float32]) -> Linkable | None:
-    """Return a photo (H, W, 3) with its person's mask (H, W, 0..1) made ready; None where it shows nobody."""
+def prepare_linking(rgb: NDArray[np.uint8], mask: NDArray[np.float32]) -> LinkableOutline | None:
+    """Return a photo (H, W, 3) with its person's mask (H, W, 0..1) prepared; None where it shows nobody."""
     height = figure_height(mask)
-    smooth = smoothed(mask, height, LinkParams())
+    smooth = smooth_mask(mask, height, LinkParams())
     loops = mask_loops(smooth, height_px=height)
     if not loops:
         return None
-    seen = see_edges(rgb, np.concatenate([loop.points for loop in loops]), margin_px=READY * height)
-    return Linkable(smooth, tuple(loops), seen, height)
+    seen = cache_edges(rgb, np.concatenate([loop.points for loop in loops]), margin_px=READY * height)
+    return LinkableOutline(smooth, tuple(loops), seen, height)
 
 
-def link_stretch(
-    ready: Linkable, contours_px: tuple[Floats, ...], fixed_px: Floats, moved_px: Floats
+def relink_stretch(
+    ready: LinkableOutline, contours_px: tuple[Floats, ...], fixed_px: Floats, moved_px: Floats
 ) -> tuple[Floats, ...]:
-    """Return the outline linked again around one point, and passing through it.
+    """Return the outline relinked around one point, and passing through it.
 
     Parameters
     ----------
@@ -79,13 +79,13 @@ def link_stretch(
         The one of them that moved; elsewhere the outline stays.
     """
     loop = min(ready.loops, key=lambda each: float(np.linalg.norm(each.points - moved_px, axis=1).min()))
-    found = _linked(ready, loop, fixed_px, moved_px)
-    number = int(np.argmin([_away(contour, found) for contour in contours_px]))
-    spliced = _spliced(contours_px[number], found)
+    found = _linked_stretch(ready, loop, fixed_px, moved_px)
+    number = int(np.argmin([_end_distance_px(contour, found) for contour in contours_px]))
+    spliced = _splice(contours_px[number], found)
     return (*contours_px[:number], spliced, *contours_px[number + 1 :])
 
 
-def _linked(ready: Linkable, loop: MaskLoop, fixed_px: Floats, moved_px: Floats) -> Floats:
+def _linked_stretch(ready: LinkableOutline, loop: MaskLoop, fixed_px: Floats, moved_px: Floats) -> Floats:
     """Return the stretch (M, 2) around a moved point, in the contour's direction, through all fixed points on it."""
     params, size = LinkParams(), len(loop.points)
     distances, at = cKDTree(loop.points).query(fixed_px)
@@ -107,14 +107,14 @@ def _linked(ready: Linkable, loop: MaskLoop, fixed_px: Floats, moved_px: Floats)
     return bend_through(opened, fixed_px[own])
 
 
-def _away(contour_px: Floats, stretch_px: Floats) -> float:
-    """Return how far a stretch's ends lie from a contour, px."""
+def _end_distance_px(contour_px: Floats, stretch_px: Floats) -> float:
+    """Return the distance of a stretch's ends from a contour, px."""
     ends = stretch_px[[0, -1]]
     return float(np.linalg.norm(contour_px[:, None] - ends[None], axis=2).min(axis=0).sum())
 
 
-def _spliced(contour_px: Floats, stretch_px: Floats) -> Floats:
-    """Return a closed contour with one stretch of it replaced."""
+def _splice(contour_px: Floats, stretch_px: Floats) -> Floats:
+    """Return a closed contour with one stretch replaced."""
     first, last = (int(np.argmin(np.linalg.norm(contour_px - end, axis=1))) for end in stretch_px[[0, -1]])
     replaced = (last - first) % len(contour_px)
     if replaced > _LONGEST * len(stretch_px):

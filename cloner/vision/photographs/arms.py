@@ -1,4 +1,4 @@
-"""Where a photo shows arms and hands, as thick lines along their joints."""
+"""Arms and hands in a photo, as thick lines along their joints."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ BELOW_SHOULDER = 0.3
 def arm_zone(
     stance: tuple[Array, Array], figure_px: float, shape: tuple[int, ...], *, below_shoulder: float = 0.0
 ) -> NDArray[np.bool_]:
-    """Return the (H, W) pixels where arms and hands are seen, with the nets' usual error.
+    """Return the pixels (H, W) of arms and hands, with a margin for the nets' mean error.
 
     Parameters
     ----------

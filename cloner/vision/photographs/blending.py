@@ -1,4 +1,4 @@
-"""Pyramid blend: images merged band by band, and gaps filled by pull and push.
+"""Pyramid blend: images merged band by band, and gaps filled by push-pull.
 
 References
 ----------
@@ -32,30 +32,30 @@ def push_pull(values: Image, weight: Image) -> Image:
     (H, W, C) float32; all zero when nothing is known.
     """
     count = values.shape[2]
-    colours, weights = [values * _every(weight, count)], [weight]
+    colours, weights = [values * _per_channel(weight, count)], [weight]
     while min(weights[-1].shape) > 1:
         size = ((weights[-1].shape[1] + 1) // 2, (weights[-1].shape[0] + 1) // 2)
         colour = cv2.resize(colours[-1], size, interpolation=cv2.INTER_AREA)
         known = cv2.resize(weights[-1], size, interpolation=cv2.INTER_AREA)
         # Four times the mean weight, at most one: a single known child is enough to decide its parent.
         gain = np.minimum(known * 4.0, 1.0) / np.maximum(known, 1e-12)
-        colours.append(_three(colour) * _every(gain, count))
+        colours.append(_with_channel_axis(colour) * _per_channel(gain, count))
         weights.append(known * gain)
-    filled = colours[-1] / _every(np.maximum(weights[-1], 1e-12), count)
+    filled = colours[-1] / _per_channel(np.maximum(weights[-1], 1e-12), count)
     for colour, known in zip(colours[-2::-1], weights[-2::-1], strict=True):
-        above = _three(cv2.resize(filled, known.shape[::-1], interpolation=cv2.INTER_LINEAR))
-        filled = colour + _every(1.0 - known, count) * above
+        above = _with_channel_axis(cv2.resize(filled, known.shape[::-1], interpolation=cv2.INTER_LINEAR))
+        filled = colour + _per_channel(1.0 - known, count) * above
     return np.asarray(filled, np.float32)
 
 
-def _three(image: NDArray[np.float32]) -> Image:
-    """Give back the channel axis that OpenCV drops from one-channel images."""
+def _with_channel_axis(image: NDArray[np.float32]) -> Image:
+    """Restore the channel axis that OpenCV drops from one-channel images."""
     return image if image.ndim == 3 else image[..., None]
 
 
-def _every(weight: Image, channels: int) -> Image:
-    """Return a weight (H, W) for each of some channels, (H, W, C): three times as fast to multiply by as by one."""
-    return _three(cv2.merge([weight] * channels))
+def _per_channel(weight: Image, channels: int) -> Image:
+    """Return a weight (H, W) repeated for all channels, (H, W, C): multiplies three times as fast."""
+    return _with_channel_axis(cv2.merge([weight] * channels))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,13 +101,13 @@ def blend_pyramids(layers: Iterable[Layer], shape: tuple[int, int, int], levels:
         row, column = layer.corner
         for k, (band, share) in enumerate(_bands(layer.image, layer.weight, levels)):
             place = np.s_[row >> k : (row >> k) + share.shape[0], column >> k : (column >> k) + share.shape[1]]
-            band *= _every(share, channels)
+            band *= _per_channel(share, channels)
             sums[k][place] += band
             totals[k][place] += share
     result: Image | None = None
     for total, band in zip(totals[::-1], sums[::-1], strict=True):
-        band /= _every(np.maximum(total, 1e-12), channels)
-        result = band if result is None else band + _enlarge(result, band.shape)
+        band /= _per_channel(np.maximum(total, 1e-12), channels)
+        result = band if result is None else band + _upsample(result, band.shape)
     assert result is not None
     return result
 
@@ -115,11 +115,11 @@ def blend_pyramids(layers: Iterable[Layer], shape: tuple[int, int, int], levels:
 def _bands(image: Image, weight: Image, levels: int) -> Iterable[tuple[Image, Image]]:
     """Yield Laplacian bands with the weights of the same size, fine to coarse."""
     for _ in range(levels):
-        smaller = _three(cv2.pyrDown(image))
-        yield image - _enlarge(smaller, image.shape), weight
+        smaller = _with_channel_axis(cv2.pyrDown(image))
+        yield image - _upsample(smaller, image.shape), weight
         image, weight = smaller, cv2.pyrDown(weight)
     yield image.copy(), weight
 
 
-def _enlarge(image: Image, shape: tuple[int, ...]) -> Image:
-    return _three(cv2.pyrUp(image, dstsize=(shape[1], shape[0])))
+def _upsample(image: Image, shape: tuple[int, ...]) -> Image:
+    return _with_channel_axis(cv2.pyrUp(image, dstsize=(shape[1], shape[0])))

@@ -1,4 +1,4 @@
-"""Cut turned squares out of photos, as nets want them, and bring results back."""
+"""Rotated crops of photos for nets, and their results mapped back."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, slots=True)
 class Crop:
-    """A turned rectangle in a photo.
+    """A rotated rectangle in a photo.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def cut(image: NDArray[np.uint8], crop: Crop, *, width: int, height: int, fill: 
     factor = int(min(crop.width_px / width, crop.height_px / height))
     source = image
     if factor > 1:  # a bilinear warp reads four pixels only: average first, no more than it reads
-        corner, end = _reached(photo_from_crop, (width, height), image.shape)
+        corner, end = _covered_window(photo_from_crop, (width, height), image.shape)
         corner -= corner % factor
         part = image[corner[1] : end[1], corner[0] : end[0]]
         down, across = (-side % factor for side in part.shape[:2])
@@ -78,10 +78,10 @@ def cut(image: NDArray[np.uint8], crop: Crop, *, width: int, height: int, fill: 
     return np.asarray(warped, np.uint8)
 
 
-def _reached(
+def _covered_window(
     photo_from_crop: NDArray[np.float64], size: tuple[int, int], shape: tuple[int, ...]
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return first and end of the photo's columns and rows that a crop (width, height) reaches, at least one each.
+    """Return first and end of the photo's columns and rows under a crop (width, height), at least one each.
 
     Two crop pixels around it belong to it: interpolation reads them.
     """
@@ -93,11 +93,11 @@ def _reached(
 
 
 def paste(values: NDArray[np.float32], crop: Crop, *, shape: tuple[int, int]) -> NDArray[np.float32]:
-    """Lay a crop's (h, w) values back into a photo of `shape` (H, W); zero elsewhere."""
+    """Return a crop's values (h, w) mapped into a photo of `shape` (H, W); zero elsewhere."""
     height, width = values.shape
     photo_from_crop = photo_px_from_crop(crop, width=width, height=height)
     flags = cv2.INTER_CUBIC if crop.width_px > width else cv2.INTER_LINEAR
-    corner, end = _reached(photo_from_crop, (width, height), shape)
+    corner, end = _covered_window(photo_from_crop, (width, height), shape)
     photo_from_crop[:, 2] -= corner
     part = cv2.warpAffine(
         values,

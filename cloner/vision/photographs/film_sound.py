@@ -77,7 +77,7 @@ def _box(kind: bytes, *parts: bytes) -> bytes:
     return struct.pack(">I4s", 8 + len(body), kind) + body
 
 
-def _full(kind: bytes, flags: int, *parts: bytes) -> bytes:
+def _full_box(kind: bytes, flags: int, *parts: bytes) -> bytes:
     return _box(kind, struct.pack(">I", flags), *parts)
 
 
@@ -87,20 +87,20 @@ def _track(number: int, length: int, rate: int, count: int, at: int) -> bytes:
     entry = _box(b"sowt", struct.pack(">6xH8xHHHHI", 1, _CHANNELS, 16, 0, 0, rate << 16))
     table = _box(
         b"stbl",
-        _full(b"stsd", 0, struct.pack(">I", 1), entry),
-        _full(b"stts", 0, struct.pack(">III", 1, count, 1)),
-        _full(b"stsc", 0, _runs(count, rate)),
-        _full(b"stsz", 0, struct.pack(">II", 2 * _CHANNELS, count)),
-        _full(b"co64", 0, _chunks(count, rate, at)),
+        _full_box(b"stsd", 0, struct.pack(">I", 1), entry),
+        _full_box(b"stts", 0, struct.pack(">III", 1, count, 1)),
+        _full_box(b"stsc", 0, _runs(count, rate)),
+        _full_box(b"stsz", 0, struct.pack(">II", 2 * _CHANNELS, count)),
+        _full_box(b"co64", 0, _chunks(count, rate, at)),
     )
-    refer = _box(b"dinf", _full(b"dref", 0, struct.pack(">I", 1), _full(b"url ", 1)))
+    refer = _box(b"dinf", _full_box(b"dref", 0, struct.pack(">I", 1), _full_box(b"url ", 1)))
     media = _box(
         b"mdia",
-        _full(b"mdhd", 0, struct.pack(">IIIIHH", 0, 0, rate, count, 0x55C4, 0)),
-        _full(b"hdlr", 0, struct.pack(">I4s12x", 0, b"soun"), b"sound\0"),
-        _box(b"minf", _full(b"smhd", 0, bytes(4)), refer, table),
+        _full_box(b"mdhd", 0, struct.pack(">IIIIHH", 0, 0, rate, count, 0x55C4, 0)),
+        _full_box(b"hdlr", 0, struct.pack(">I4s12x", 0, b"soun"), b"sound\0"),
+        _box(b"minf", _full_box(b"smhd", 0, bytes(4)), refer, table),
     )
-    return _box(b"trak", _full(b"tkhd", 3, head), media)
+    return _box(b"trak", _full_box(b"tkhd", 3, head), media)
 
 
 def _chunks(count: int, rate: int, at: int) -> bytes:

@@ -66,7 +66,7 @@ def write_film(
     frames[0].save(path, save_all=True, append_images=rest, duration=round(1000 / per_second), loop=0, **options)
 
 
-def told_png(told: str) -> PngInfo:
+def png_text(told: str) -> PngInfo:
     """Return what a picture says of itself, for Pillow."""
     info = PngInfo()
     info.add_text("Software", told)

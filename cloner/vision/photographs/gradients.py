@@ -1,4 +1,4 @@
-"""Gradients of pictures: their lengths, and histograms of their directions, which are alike in any light."""
+"""Gradient magnitudes, and histograms of gradient directions (HOG)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _CELL_PX: Final = 8
 _FLAT: Final = 4.0 * 64
 
 
-def lengths(across: NDArray[np.float32], down: NDArray[np.float32]) -> NDArray[np.float32]:
+def magnitudes(across: NDArray[np.float32], down: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return the lengths (H, W) of vectors given by two pictures (H, W), rounded as IEEE 754 says.
 
     OpenCV's ``magnitude`` rounds by where in memory its pictures lie: one clone in a hundred had other bytes.
@@ -28,8 +28,8 @@ def lengths(across: NDArray[np.float32], down: NDArray[np.float32]) -> NDArray[n
     return squares
 
 
-def describe(picture: NDArray[np.float32]) -> Array:
-    """Return the flat histograms of gradient directions of a grey picture, cells of 8 px with 9 unsigned directions.
+def gradient_histograms(picture: NDArray[np.float32]) -> Array:
+    """Return the flattened HOG of a grey picture: cells of 8 px, 9 unsigned directions.
 
     Each cell is divided by the norm of its three-by-three neighbourhood.
 
@@ -43,7 +43,7 @@ def describe(picture: NDArray[np.float32]) -> Array:
     """
     across = cv2.Sobel(picture, cv2.CV_32F, 1, 0, ksize=1)
     down = cv2.Sobel(picture, cv2.CV_32F, 0, 1, ksize=1)
-    strength = lengths(across, down)
+    strength = magnitudes(across, down)
     turn = np.mod(np.arctan2(down, across), np.pi) * (_BINS / np.pi)
     low = turn.astype(np.int64)
     share = turn - low

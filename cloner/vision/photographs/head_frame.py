@@ -1,4 +1,4 @@
-"""Find where the head is in a photo, from whatever points there are."""
+"""The head's place in a photo, from whatever points are known."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _LIPS: Final = (61, 39, 0, 269, 291, 405, 17, 181)
 
 @dataclass(frozen=True, slots=True)
 class HeadFrame:
-    """Where the head is, in px of the image it was found in.
+    """Place and size of the head, px of the image in which it was found.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class HeadFrame:
 
     @property
     def head_px(self) -> float:
-        """Crown to chin."""
+        """Return the distance from crown to chin."""
         return self.chin_px - self.top_px
 
 
@@ -73,7 +73,7 @@ def find_head(person: Flags, face_points: Floats | None, view: str, pose_points:
 
 
 def face_organs(face: Floats, shape: tuple[int, int]) -> Flags:
-    """Return eyes with brows, and lips: whatever their colour, no hair of the head."""
+    """Return eyes with brows, and lips: no hair, whatever their colour."""
     organs = np.zeros(shape, np.uint8)
     for ring in (*_EYES, _LIPS):
         cv2.fillPoly(organs, [cv2.convexHull(np.round(face[list(ring)]).astype(np.int32))], 1)

@@ -1,4 +1,4 @@
-"""Noise of dim photos, which would become a grain on skin and cloth.
+"""Removal of sensor noise in dim photos, which would become grain on skin and cloth.
 
 Non-local means (A. Buades, B. Coll, J.-M. Morel, A non-local algorithm for image denoising, 2005) as OpenCV has them;
 photos with as little noise as those of a usual camera stay as they are.
@@ -45,8 +45,8 @@ def noise_level(rgb: NDArray[np.uint8]) -> float:
 
 
 @once_each
-def quiet_rgb(photo: Photo) -> NDArray[np.uint8]:
-    """Return a photo's pixels (H, W, 3) without its noise; its own where it has little."""
+def denoise_rgb(photo: Photo) -> NDArray[np.uint8]:
+    """Return a photo's pixels (H, W, 3) without noise, unchanged where there is little."""
     level = noise_level(photo.rgb)
     if level < NOISY:
         return photo.rgb
@@ -63,6 +63,6 @@ def quiet_rgb(photo: Photo) -> NDArray[np.uint8]:
     return np.asarray(cv2.cvtColor(np.dstack([bright, large]), cv2.COLOR_Lab2RGB), np.uint8)
 
 
-def quieted(photos: PhotoSet) -> PhotoSet:
-    """Return the photos without noise, for what is painted from them."""
-    return PhotoSet({view: replace(photo, rgb=quiet_rgb(photo)) for view, photo in photos.photos.items()})
+def denoised(photos: PhotoSet) -> PhotoSet:
+    """Return the photos without noise, for painting."""
+    return PhotoSet({view: replace(photo, rgb=denoise_rgb(photo)) for view, photo in photos.photos.items()})

@@ -1,1 +1,1 @@
-"""Photographs made ready to be texture: evened, repaired, aligned, and colours that no photo shows."""
+"""Photographs prepared as texture: normalised, repaired, aligned; and colours of what no photo shows."""

@@ -1,4 +1,4 @@
-"""Shift photo lookups so that a projected mesh outline meets the photo's outline."""
+"""Displacement of photo lookups until a projected mesh outline meets the photo's outline."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def outline_shift(
     limit_px: float,
     placed_px: Array | None = None,
 ) -> tuple[NDArray[np.float32], float]:
-    """Return a smooth displacement field that carries mesh outline to photo outline.
+    """Return a smooth displacement field from mesh outline to photo outline.
 
     Parameters
     ----------
@@ -51,9 +51,9 @@ def outline_shift(
     soft = cv2.GaussianBlur(inside_px, (0, 0), 2.0)
     own = cv2.GaussianBlur(mesh_mask.astype(np.float32), (0, 0), 3.0)
     column, row = points.T
-    slope = _unit(_slopes(soft, row, column))
+    slope = _unit(_gradients(soft, row, column))
     shift = -inside_px[row, column, None] * slope
-    along: Array = np.asarray(np.sum(slope * _unit(_slopes(own, row, column)), axis=1), np.float64)
+    along: Array = np.asarray(np.sum(slope * _unit(_gradients(own, row, column)), axis=1), np.float64)
     target = np.rint(points + shift).astype(int)
     within: NDArray[np.bool_] = np.asarray((target >= 0).all(axis=1) & (target < (width, height)).all(axis=1), bool)
     target = np.where(within[:, None], target, 0)
@@ -66,7 +66,7 @@ def outline_shift(
     wanted = np.concatenate([shift[good], np.zeros_like(still)])
     field = np.zeros((*shape, 2), np.float32)
     for _ in range(ROUNDS):
-        field += _spread(known, wanted - sample(field, known / GRID_PX), shape)
+        field += _interpolate_field(known, wanted - sample(field, known / GRID_PX), shape)
     return field, float(np.abs(inside_px[row, column][good]).mean())
 
 
@@ -81,7 +81,7 @@ def _outline_points(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
     return points[inner].astype(np.int64)
 
 
-def _slopes(image: NDArray[np.float32], row: NDArray[np.int64], column: NDArray[np.int64]) -> NDArray[np.float32]:
+def _gradients(image: NDArray[np.float32], row: NDArray[np.int64], column: NDArray[np.int64]) -> NDArray[np.float32]:
     """Return (N, 2) slopes of an image across and down at some of its pixels."""
     orders = ((1, 0), (0, 1))
     return np.stack([cv2.Sobel(image, cv2.CV_32F, *o, scale=0.125)[row, column] for o in orders], axis=-1)
@@ -91,7 +91,7 @@ def _unit(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-6), np.float32)
 
 
-def _spread(points: Array, shift: Array, shape: tuple[int, int]) -> NDArray[np.float32]:
+def _interpolate_field(points: Array, shift: Array, shape: tuple[int, int]) -> NDArray[np.float32]:
     """Interpolate sparse displacements smoothly over the whole grid."""
     node = np.rint(points / GRID_PX).astype(int)
     flat = np.clip(node[:, 1], 0, shape[0] - 1) * shape[1] + np.clip(node[:, 0], 0, shape[1] - 1)

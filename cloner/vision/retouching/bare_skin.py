@@ -1,4 +1,4 @@
-"""The colour of the skin that a photo shows."""
+"""Colour of the bare skin in a photo."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ WIDEST: Final = 0.2
 
 
 def label_colour(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], labels: NDArray[np.uint8]) -> SkinColour | None:
-    """Return the colour of the labelled skin of one photo, None where it is too little or of too many colours.
+    """Return the colour of one photo's labelled skin, None where it is too small or too varied.
 
     Parameters
     ----------

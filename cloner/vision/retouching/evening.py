@@ -1,4 +1,4 @@
-"""Even out exposure, white balance and light between photos of one person."""
+"""Normalisation of exposure, white balance and lighting between photos of one person."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def light_basis(normals: NDArray[np.floating]) -> NDArray[np.floating]:
 def even_light(
     colours: Array, weights: Array, normals: Array, hold: Array, *, ridge_slope: float = RIDGE_SLOPE
 ) -> Array:
-    """Return the log gains that bring photos together where they overlap.
+    """Return the log gains that match photos where they overlap.
 
     Each photo k gets log gain ``basis(n) @ result[k]``: one exposure per
     channel plus a first-order change of light with the surface's direction,
@@ -95,17 +95,17 @@ def even_light(
             right[first] += drive
             right[second] -= drive
         result = np.asarray(np.linalg.solve(system, right), np.float64).reshape(count, 4, 3)
-    return _without_harm(result, logs, weights, basis)
+    return _reject_harmful(result, logs, weights, basis)
 
 
-def first_of(shown: Iterable[tuple[ViewId, bool]], references: Sequence[ViewId]) -> int:
-    """Return the place of the photo whose colours count most, of (view, whether mirrored): own ones before mirrored."""
+def reference_index(shown: Iterable[tuple[ViewId, bool]], references: Sequence[ViewId]) -> int:
+    """Return the photo with the largest colour weight, as (view, whether mirrored): own photos before mirrored ones."""
     places = [(references.index(view), mirrored) for view, mirrored in shown]
     return places.index(min(places))
 
 
 def common_balance(colours: Array, light: Array, weights: Array, own: NDArray[np.bool_]) -> Array:
-    """Return the log gains (3,) that put exposure and white balance of all photos in place of the reference's.
+    """Return the log gains (3,) that replace the reference's exposure and white balance by those of all photos.
 
     Every camera guesses how bright and of what colour its room's light is; the mean of the guesses is nearer to the
     truth than any single one.  A guess of the colour (luma, ITU-R BT.601, apart) counts by how bright it shows the
@@ -132,7 +132,7 @@ def common_balance(colours: Array, light: Array, weights: Array, own: NDArray[np
 
 
 def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return (...,) how far differences of log levels (..., 3) go beyond what light does to one thing; 1 is the limit.
+    """Return how far differences of log levels (..., 3) exceed what lighting does to one surface; 1 is the limit.
 
     Lamps and shade change all channels nearly alike, another thing has another hue or is far darker.
     """
@@ -141,8 +141,8 @@ def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
     return np.asarray(np.hypot(grey / LIGHT_LOG, hue / HUE_LOG))
 
 
-def light_spans(rgb: NDArray[np.floating]) -> Array:
-    """Return (N, 4) brightness and hues of colours (N, 3), levels, in spans of what light does to one thing.
+def light_coordinates(rgb: NDArray[np.floating]) -> Array:
+    """Return brightness and hues (N, 4) of colours (N, 3), in units of what lighting does to one surface.
 
     Mean distances of two rows are about those of `beyond_light`.
     """
@@ -151,16 +151,16 @@ def light_spans(rgb: NDArray[np.floating]) -> Array:
     return np.asarray(np.concatenate([4.0 * grey / LIGHT_LOG, 4.0 / 3.0 * (logs - grey) / HUE_LOG], axis=1))
 
 
-def unsaturated(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return (...,) trust 1..0 in colours (..., 3), levels: burnt-out ones tell neither light nor colour.
+def exposure_confidence(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return the confidence 1..0 (...,) in colours (..., 3), levels: saturated ones tell neither light nor colour.
 
-    The middle channel decides: skin whose red alone is at its end is mended by the others (:func:`unclipped`).
+    The middle channel decides: skin with only red clipped is restored from the others (:func:`restore_clipped_hue`).
     """
     low, high = SATURATED
     return np.asarray(np.clip((high - np.median(rgb, axis=-1)) / (high - low), 0.0, 1.0))
 
 
-def unclipped(
+def restore_clipped_hue(
     rgb: NDArray[np.floating], shares: tuple[float, float], skin: NDArray[np.floating]
 ) -> NDArray[np.floating]:
     """Return colours (N, 3) with the hue that bright skin lost put back, levels; red goes up to LARGEST_RED.
@@ -186,7 +186,7 @@ def unclipped(
 
 
 def one_sided_light(logs: Array, weight: Array, normals: Array, twin: NDArray[np.integer]) -> Array:
-    """Return (3,) slopes b of the light across one photo: its log level rises by ``b * n_x``.
+    """Return the slopes b (3,) of the lighting across one photo: its log level rises by ``b * n_x``.
 
     People are painted alike on both halves, so what differs between a vertex
     and its twin, as far as it goes with the surface's direction, is light.
@@ -216,8 +216,8 @@ def one_sided_light(logs: Array, weight: Array, normals: Array, twin: NDArray[np
     return np.asarray(slope)
 
 
-def _without_harm(gains: Array, logs: Array, weights: Array, basis: Array) -> Array:
-    """Return the gains with those of a photo set to zero that agrees better without."""
+def _reject_harmful(gains: Array, logs: Array, weights: Array, basis: Array) -> Array:
+    """Return the gains, with zeros for a photo that agrees better without."""
     kept = gains.copy()
     for k in range(len(gains)):
         before, after = [], []
@@ -225,9 +225,9 @@ def _without_harm(gains: Array, logs: Array, weights: Array, basis: Array) -> Ar
             rows = np.minimum(weights[k], weights[j]) > 0.0
             if j == k or not rows.any():
                 continue
-            other = logs[j, rows] + _limited(basis[rows] @ kept[j])
+            other = logs[j, rows] + _soft_limit(basis[rows] @ kept[j])
             before.append(np.abs(logs[k, rows] - other).mean(axis=1))
-            after.append(np.abs(logs[k, rows] + _limited(basis[rows] @ kept[k]) - other).mean(axis=1))
+            after.append(np.abs(logs[k, rows] + _soft_limit(basis[rows] @ kept[k]) - other).mean(axis=1))
         if before and np.median(np.concatenate(after)) > np.median(np.concatenate(before)):
             kept[k] = 0.0
     return kept
@@ -235,11 +235,11 @@ def _without_harm(gains: Array, logs: Array, weights: Array, basis: Array) -> Ar
 
 def apply_light(rgb: NDArray[np.floating], log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
     """Return colours (N, 3) in levels after log gains (N, 3), clipped to 0..255."""
-    gain = np.exp(_limited(log_gain))
+    gain = np.exp(_soft_limit(log_gain))
     return np.asarray(np.clip((rgb + LEVEL_OFFSET) * gain - LEVEL_OFFSET, 0.0, 255.0))
 
 
-def _limited(log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return log gains bent into +-LARGEST_LOG; what is well within stays as it is."""
+def _soft_limit(log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return log gains compressed into +-LARGEST_LOG, unchanged well within."""
     share = np.abs(log_gain) / LARGEST_LOG
     return np.asarray(log_gain / (1.0 + share**_BEND) ** (1.0 / _BEND))

@@ -1,4 +1,4 @@
-"""How far two photos of one surface lie apart: dense, smooth, limited displacements anchored at shared lines.
+"""Dense registration of photos of one surface: smooth, limited displacements anchored at shared lines.
 
 What two photos share are lines: where skin ends and hair or cloth begins, and stripes, prints, brows and folds. Light
 is not shared. So pictures of lines are matched (:func:`line_pictures`), coarse to fine, by windowed least squares.
@@ -48,8 +48,8 @@ LEAST_GAIN: Final = 0.2  # of the mismatch: a displacement that mends less is be
 
 
 @dataclass(frozen=True, slots=True)
-class Reach:
-    """How finely photos are matched, and how far apart they may lie, metres.
+class MatchScales:
+    """Resolution of the registration, and its largest displacement, metres.
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class Reach:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LinePicture:
-    """A photo's lines at one scale.
+    """Line features of a photo at one scale.
 
     Attributes
     ----------
@@ -82,14 +82,18 @@ class LinePicture:
     per_px: float
 
     def at(self, places_px: NDArray[np.floating]) -> Image:
-        """Return (N, 4) at (N, 2) photo pixels."""
+        """Return the features (N, 4) at photo pixels (N, 2)."""
         return sample(self.image, (places_px + 0.5) * self.per_px - 0.5)
 
 
 def line_pictures(
-    rgb: NDArray[np.uint8], labels: NDArray[np.uint8], inside: NDArray[np.bool_], metres_per_pixel: float, reach: Reach
+    rgb: NDArray[np.uint8],
+    labels: NDArray[np.uint8],
+    inside: NDArray[np.bool_],
+    metres_per_pixel: float,
+    reach: MatchScales,
 ) -> list[LinePicture]:
-    """Return a photo's lines at all `SCALES`.
+    """Return a photo's line features at all `SCALES`.
 
     Parameters
     ----------
@@ -102,7 +106,7 @@ def line_pictures(
     """
     finest = min(WORK_SIGMAS * metres_per_pixel / reach.blur_m, 1.0)
     own = np.where(inside, labels, np.uint8(Label.BACKGROUND))
-    kind = SURFACE_OF[_shrunk(own, min(2.0 * finest, 1.0), cv2.INTER_NEAREST)]
+    kind = SURFACE_OF[_downscaled(own, min(2.0 * finest, 1.0), cv2.INTER_NEAREST)]
     grey = cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY)
     told = (kind >= 0).astype(np.float32)
     code = _CODES.take(kind, axis=0, mode="wrap")  # nothing is the last row: zeros
@@ -112,18 +116,20 @@ def line_pictures(
         height, width = rgb.shape[:2]
         size = (max(round(width * per_px), 1), max(round(height * per_px), 1))
         grey, told, code = (cv2.resize(each, size, interpolation=cv2.INTER_AREA) for each in (grey, told, code))
-        found.append(LinePicture(_lines(grey, code, told, scale * reach.blur_m / metres_per_pixel * per_px), per_px))
+        found.append(
+            LinePicture(_line_features(grey, code, told, scale * reach.blur_m / metres_per_pixel * per_px), per_px)
+        )
     return found[::-1]
 
 
-def _shrunk(picture: NDArray[np.uint8], share: float, how: int) -> NDArray[np.uint8]:
-    """Return a picture (H, W) of that share of its size."""
+def _downscaled(picture: NDArray[np.uint8], share: float, how: int) -> NDArray[np.uint8]:
+    """Return a picture (H, W) at a share of its size."""
     size = (max(round(picture.shape[1] * share), 1), max(round(picture.shape[0] * share), 1))
     return np.asarray(cv2.resize(picture, size, interpolation=how), np.uint8)
 
 
-def _lines(grey: NDArray[np.uint8], code: Image, told: Image, sigma: float) -> Image:
-    """Return (h, w, 4) lines of a small picture, blurred by sigma pixels."""
+def _line_features(grey: NDArray[np.uint8], code: Image, told: Image, sigma: float) -> Image:
+    """Return line features (h, w, 4) of a small picture, blurred by sigma pixels."""
     wide = BACKGROUND_SIGMAS * sigma
     level = np.log(grey.astype(np.float32) + DARK_LEVELS)
     fine = cv2.GaussianBlur(level, (0, 0), sigma) - cv2.GaussianBlur(level, (0, 0), wide)
@@ -133,8 +139,8 @@ def _lines(grey: NDArray[np.uint8], code: Image, told: Image, sigma: float) -> I
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Looked:
-    """The same points of the surface as two photos are thought to show them.
+class SharedSamples:
+    """The same surface points as two photos show them before registration.
 
     Attributes
     ----------
@@ -173,11 +179,11 @@ class Displacement:
 
 def match_lines(
     moved: list[LinePicture],
-    others: list[tuple[list[LinePicture], Looked]],
+    others: list[tuple[list[LinePicture], SharedSamples]],
     metres_per_pixel: float,
-    reach: Reach,
+    reach: MatchScales,
 ) -> Displacement:
-    """Return the displacement of a photo's lookups with which its lines meet those of other photos.
+    """Return the displacement of a photo's lookups that brings its lines on to those of other photos.
 
     Parameters
     ----------
@@ -191,7 +197,7 @@ def match_lines(
     """
     places = np.concatenate([look.moved_px for _, look in others])
     weight = np.concatenate([look.weight for _, look in others])
-    net = _Net.around(places, np.asarray(weight, np.float32), NODE_SHARE * reach.blur_m / metres_per_pixel)
+    net = _NodeGrid.around(places, np.asarray(weight, np.float32), NODE_SHARE * reach.blur_m / metres_per_pixel)
     nodes = np.zeros((*net.shape, 2), np.float32)
     prior, most = (reach.usual_m / metres_per_pixel) ** -2, reach.most_m / metres_per_pixel
     for k, picture in enumerate(moved):
@@ -200,12 +206,12 @@ def match_lines(
             nodes += _step(picture, goal, net, nodes, prior)
             size = np.linalg.norm(nodes, axis=2, keepdims=True)
             nodes *= np.minimum(1.0, most / np.maximum(size, 1e-9))
-    return net.displacement(nodes * _believed(picture, goal, net, nodes))
+    return net.displacement(nodes * _improvement(picture, goal, net, nodes))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Net:
-    """Nodes around the places at which two photos are compared.
+class _NodeGrid:
+    """Nodes around the samples at which two photos are compared.
 
     Attributes
     ----------
@@ -225,8 +231,8 @@ class _Net:
     step_px: float
 
     @classmethod
-    def around(cls, places: NDArray[np.floating], weight: Image, step: float) -> _Net:
-        """Return the net that holds all windows in which (N, 2) places count."""
+    def around(cls, places: NDArray[np.floating], weight: Image, step: float) -> _NodeGrid:
+        """Return the grid with all windows in which samples (N, 2) have weight."""
         first = np.floor(places.min(axis=0) / step) - AROUND_NODES
         node = np.rint(places / step - first).astype(np.int64)
         width, height = node.max(axis=0) + AROUND_NODES + 1
@@ -235,19 +241,19 @@ class _Net:
         return cls(np.asarray(places, np.float64), weight, own, (int(height), int(width)), first * step, step)
 
     def displacement(self, nodes: Image) -> Displacement:
-        """Return the nodes' displacements (h, w, 2) as a whole."""
+        """Return the nodes' displacements (h, w, 2) as a field."""
         return Displacement(nodes, self.corner_px, self.step_px)
 
     def means(self, values: NDArray[np.floating], weight: Image) -> Image:
-        """Return (h, w, C) the weighted means of (N, C) values in the window around every node."""
+        """Return the weighted means (h, w, C) of values (N, C) in the window of every node."""
         table = np.column_stack([weight[:, None] * values, weight, np.ones_like(weight)]).astype(np.float32)
         sums = cv2.GaussianBlur((self.of_node @ table).reshape(*self.shape, -1), (0, 0), WINDOW_NODES)
         full = FEW * float(sums[..., -1].max())
         return np.asarray(sums[..., :-2] / (sums[..., -2:-1] + full + 1e-9), np.float32)
 
 
-def _step(picture: LinePicture, goal: Image, net: _Net, nodes: Image, prior: float) -> Image:
-    """Return (h, w, 2) by how much the nodes' displacements are to be changed, photo pixels."""
+def _step(picture: LinePicture, goal: Image, net: _NodeGrid, nodes: Image, prior: float) -> Image:
+    """Return the update (h, w, 2) of the nodes' displacements, photo pixels."""
     here = net.places_px + net.displacement(nodes).at(net.places_px)
     ahead = 1.0 / picture.per_px
     across, down = ((picture.at(here + way) - picture.at(here - way)) / (2.0 * ahead) for way in ahead * np.eye(2))
@@ -262,8 +268,8 @@ def _step(picture: LinePicture, goal: Image, net: _Net, nodes: Image, prior: flo
     return np.asarray(np.dstack([scale * (yy * gx - xy * gy), scale * (xx * gy - xy * gx)]), np.float32)
 
 
-def _believed(picture: LinePicture, goal: Image, net: _Net, nodes: Image) -> Image:
-    """Return (h, w, 1) in 0..1 whether lines meet better with the displacement than without."""
+def _improvement(picture: LinePicture, goal: Image, net: _NodeGrid, nodes: Image) -> Image:
+    """Return the weight (h, w, 1) in 0..1 with which the displacement improves the match."""
     moved = net.places_px + net.displacement(nodes).at(net.places_px)
     gaps = [goal - picture.at(here) for here in (net.places_px, moved)]
     errors = np.stack([np.einsum("nc,nc->n", gap, gap) for gap in gaps], axis=1)

@@ -1,4 +1,4 @@
-"""Whether a mouth is open, by the face net's borders of the lips."""
+"""Detection of an open mouth from the face net's inner lip borders."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ OPEN_SHARE: Final = 0.15
 SOFT_SHARE: Final = 0.03
 
 
-def open_borders(face_px: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """Return (2, 11, 2) the inner borders of upper and lower lip in a photo, px; None where the mouth is shut.
+def open_lip_borders(face_px: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """Return the inner borders (2, 11, 2) of upper and lower lip in a photo, px; None where the mouth is closed.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def open_borders(face_px: NDArray[np.float64]) -> NDArray[np.float64] | None:
     return borders if apart > OPEN_SHARE * max(width, 1e-6) else None
 
 
-def own_edges(borders_px: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return where (2, 11, 2), px, the lips along open borders have their own colour."""
+def lip_colour_edges(borders_px: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return where the lips along open borders have their own colour, (2, 11, 2) px."""
     width = float(np.linalg.norm(borders_px[0, -1] - borders_px[0, 0]))
     return np.asarray(borders_px + SOFT_SHARE * width * np.array([[[0.0, -1.0]], [[0.0, 1.0]]]))

@@ -1,4 +1,4 @@
-"""Colours that no photo shows well: eyeballs, teeth, gums, tongue, lashes."""
+"""Painted colours of what no photo shows well: eyeballs, teeth, gums, tongue, lashes."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def paint_eye(
     angle = np.arccos(np.clip(directions[:, 2], -1.0, 1.0)).astype(np.float32)
     around = np.arctan2(directions[:, 1], directions[:, 0]).astype(np.float32)
     share = angle / np.float32(iris_angle)
-    colour = _paint_sclera(share, around, white_rgb(np.asarray(skin_rgb, np.float64), white_to_skin), rng)
+    colour = _paint_sclera(share, around, sclera_rgb(np.asarray(skin_rgb, np.float64), white_to_skin), rng)
     iris = _paint_iris(share, around, np.asarray(iris_rgb, np.float32), rng)
     # The limbus is soft: about a tenth of the iris radius in life.
     colour = _mix(iris, colour, _ramp(share, 0.95, 1.10))
@@ -71,8 +71,8 @@ def paint_eye(
     return np.clip(colour * shade[:, None], 0.0, 255.0).astype(np.float32)
 
 
-def white_rgb(skin_rgb: NDArray[np.float64], white_to_skin: NDArray[np.floating] | None) -> Image:
-    """Return (3,) the colour of the whites: as the photo shows them beside this skin, else as usual beside it."""
+def sclera_rgb(skin_rgb: NDArray[np.float64], white_to_skin: NDArray[np.floating] | None) -> Image:
+    """Return the colour (3,) of the sclera: relative to the skin as in the photo, else as it usually is."""
     usual = np.array(SCLERA_RGB) * np.clip(SCLERA_TO_SKIN * np.mean(skin_rgb) / np.mean(SCLERA_RGB), 0.45, 1.0)
     if white_to_skin is None:
         return np.asarray(usual, np.float32)

@@ -1,4 +1,4 @@
-"""A photo made ready to be laid on the body."""
+"""Matted photos: background removed, and what must not be painted on skin masked."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.records.labels import OWN, SKINS, Label, shows
 from cloner.vision.photographs.arms import BELOW_SHOULDER, arm_zone
 from cloner.vision.retouching.evening import SATURATED
-from cloner.vision.retouching.open_mouth import open_borders
+from cloner.vision.retouching.open_mouth import open_lip_borders
 from cloner.vision.retouching.repair import repair_bleeding
 from cloner.vision.retouching.skin_colour import LEAST_SAMPLES, SkinColour
 from cloner.vision.retouching.soles import contact_shadow, shaded_floor
@@ -34,8 +34,8 @@ BRIGHT = 200  # green of skin next to burning out, up to where levels are believ
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Plate:
-    """One photo without background, with what must not be painted on skin.
+class MattedPhoto:
+    """One photo without background, with masks of what must not be painted on skin.
 
     Attributes
     ----------
@@ -82,15 +82,15 @@ class Plate:
     figure_px: float
 
 
-def prepare_plate(
+def prepare_matted_photo(
     rgb: NDArray[np.uint8],
     mask: NDArray[np.bool_],
     labels: NDArray[np.uint8],
     face_px: NDArray[np.float64] | None,
     stance: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
     skin: SkinColour | None,
-) -> Plate:
-    """Return a photo ready for projection.
+) -> MattedPhoto:
+    """Return a photo prepared for projection.
 
     Parameters
     ----------
@@ -117,10 +117,10 @@ def prepare_plate(
         arms = arm_zone(stance, figure, mask.shape, below_shoulder=BELOW_SHOULDER)
     own = shows(labels, *OWN).astype(np.uint8) * 255
     shares = None if skin is None else skin_shares(skin, rgb[bare])
-    lips = None if face_px is None else open_borders(face_px)
-    openings, brows = _openings(face_px, lips, labels), _brows(face_px, mask.shape)
+    lips = None if face_px is None else open_lip_borders(face_px)
+    openings, brows = _eye_and_mouth_openings(face_px, lips, labels), _brows(face_px, mask.shape)
     # labels end in steps of a pixel: a soft edge keeps them from showing
-    return Plate(
+    return MattedPhoto(
         repaired,
         blurred,
         inside,
@@ -138,18 +138,18 @@ def prepare_plate(
 
 
 def skin_shares(skin: SkinColour, shown: NDArray[np.uint8]) -> tuple[float, float]:
-    """Return red and blue against green of burnt-out skin; blue as the brightest of the skin (N, 3) has it that still
-    tells: there it is paler than elsewhere, and beside it a patch of the usual blue is yellow.
+    """Return red and blue relative to green for overexposed skin; blue as in the brightest skin (N, 3) that is not
+    saturated, as it is paler there than elsewhere.
     """
     red, blue = skin.shares()
     bright = shown[(shown[:, 1] > BRIGHT) & (shown[:, 1] < SATURATED[0])].astype(np.float64)
     return red, max(blue, float(np.median(bright[:, 2] / bright[:, 1]))) if len(bright) >= LEAST_SAMPLES else blue
 
 
-def _openings(
+def _eye_and_mouth_openings(
     face_px: NDArray[np.float64] | None, lips_px: NDArray[np.float64] | None, labels: NDArray[np.uint8]
 ) -> NDArray[np.bool_]:
-    """Return (H, W) open eyes with their rims, and what shows between open lips by net and labels."""
+    """Return the pixels (H, W) of open eyes with their rims, and between open lips, by net and labels."""
     picture = np.zeros(labels.shape, np.uint8)
     if face_px is None:
         return picture > 0

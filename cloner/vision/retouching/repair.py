@@ -1,4 +1,4 @@
-"""Photo repair before it becomes texture: no background in the person's edge."""
+"""Repair of photos before texturing: no background colour at the person's edge."""
 
 from __future__ import annotations
 
@@ -53,13 +53,13 @@ def repair_bleeding(
     signed = signed_distance(mask)
     (top, bottom), (left, right) = _box(mask, AIR_SHARE)
     part = np.s_[top:bottom, left:right]
-    near = _filled(rgb[part], signed[part], band_px, None if unsafe is None else unsafe[part])
+    near = _spread_safe(rgb[part], signed[part], band_px, None if unsafe is None else unsafe[part])
     ends = (top, len(mask) - bottom, left, mask.shape[1] - right)
     return np.asarray(cv2.copyMakeBorder(near, *ends, cv2.BORDER_REPLICATE), np.uint8), signed
 
 
 def _box(mask: NDArray[np.bool_], air: float) -> tuple[tuple[int, int], tuple[int, int]]:
-    """Return first and end of the rows and columns around a mask, with air of this share of its larger side."""
+    """Return first and end of the rows and columns around a mask, with a margin of this share of its larger side."""
     spans = [np.flatnonzero(mask.any(axis=axis))[[0, -1]] for axis in (1, 0)]
     wide = int(air * max(np.ptp(span) for span in spans)) + 1
     (top, bottom), (left, right) = (
@@ -69,10 +69,10 @@ def _box(mask: NDArray[np.bool_], air: float) -> tuple[tuple[int, int], tuple[in
     return (top, bottom), (left, right)
 
 
-def _filled(
+def _spread_safe(
     rgb: NDArray[np.uint8], signed: NDArray[np.float32], band_px: float, unsafe: NDArray[np.bool_] | None
 ) -> NDArray[np.uint8]:
-    """Return a picture (H, W, 3) whose safe pixels by ``signed`` (H, W) distances are spread over all others."""
+    """Return a picture (H, W, 3) with its safe pixels, by signed distance (H, W), spread over all others."""
     inside = np.maximum(signed, 0.0)
     reach = 2 * int(np.ceil(band_px)) + 1
     thickness = cv2.dilate(inside, np.ones((reach, reach), np.uint8))
@@ -104,7 +104,9 @@ def spread_nearest(rgb: NDArray[np.uint8], known: NDArray[np.bool_]) -> NDArray[
 
 
 def nearest_known(picture: NDArray[Kind], known: NDArray[np.bool_], wanted: NDArray[np.bool_]) -> NDArray[Kind]:
-    """Return (K,) what a picture (H, W) shows at the known pixel nearest to each wanted one; some pixel is known."""
+    """Return the values (K,) of a picture (H, W) at the known pixel nearest to each wanted one; at
+    least one is known.
+    """
     _, index = cv2.distanceTransformWithLabels(
         (~known).astype(np.uint8), cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL
     )
@@ -114,8 +116,8 @@ def nearest_known(picture: NDArray[Kind], known: NDArray[np.bool_], wanted: NDAr
     return found
 
 
-def without_room(mask: NDArray[np.bool_], body: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
-    """Return the mask (H, W) without what stands out of the body that was fitted to it.
+def remove_outside_body(mask: NDArray[np.bool_], body: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
+    """Return the mask (H, W) without what extends beyond the fitted body.
 
     A box of the skin's colour beside an arm is part of the mask, but no limb is that wide: the fit left it out.
     Where the mask stands out farther than a fit errs, all of it outside the body goes.
@@ -140,8 +142,8 @@ def without_room(mask: NDArray[np.bool_], body: NDArray[np.bool_], reach_px: flo
     )
 
 
-def own_pixels(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
-    """Return the mask (H, W) without pixels near its border that look like what lies around it.
+def remove_background_coloured(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
+    """Return the mask (H, W) without border pixels whose colour matches the surroundings.
 
     Between strands and through thin edges the surroundings shine. A pixel
     belongs to them when its colour is nearer to their mean nearby than to the

@@ -1,4 +1,4 @@
-"""The colour of a person's skin in one photo."""
+"""Colour of a person's skin in one photo."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _DARK: Final = 0.004  # linear light that counts as black
 
 @dataclass(frozen=True, slots=True)
 class SkinColour:
-    """Skin in one photo.
+    """Skin colour in one photo.
 
     Attributes
     ----------
@@ -34,12 +34,12 @@ class SkinColour:
     spread: tuple[float, float]
 
     def shares(self) -> tuple[float, float]:
-        """Return red and blue against green in coded levels."""
+        """Return red and blue relative to green, in coded levels."""
         return float(np.exp(self.middle[0] / _GAMMA)), float(np.exp(self.middle[1] / _GAMMA))
 
 
-def chroma(rgb: NDArray[np.number]) -> tuple[Array, Array]:
-    """Return (N, 2) log ratios, which shading leaves alone, and (N,) brightness of (N, 3) sRGB values 0..255."""
+def log_chroma(rgb: NDArray[np.number]) -> tuple[Array, Array]:
+    """Return log ratios (N, 2), which are invariant to shading, and brightness (N,) of sRGB values (N, 3), 0..255."""
     linear = (rgb.astype(np.float64) / 255.0) ** _GAMMA + _DARK
     ratios = np.log(linear[:, [0, 2]] / linear[:, 1:2])
     return ratios, linear.mean(axis=1)
@@ -49,7 +49,7 @@ def skin_colour(rgb: NDArray[np.number]) -> SkinColour | None:
     """Return the colour of (N, 3) samples of bare skin; None when there are too few."""
     if len(rgb) < LEAST_SAMPLES:
         return None
-    ratios, _ = chroma(rgb)
+    ratios, _ = log_chroma(rgb)
     middle = np.median(ratios, axis=0)
     spread = 1.48 * np.median(np.abs(ratios - middle), axis=0)  # a normal distribution's, robust
     wide = np.maximum(spread, LEAST_SPREAD)

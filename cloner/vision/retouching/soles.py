@@ -1,4 +1,4 @@
-"""Shadow about the feet that a mask takes for shoes: the dark line below the soles, and shaded floor between shoes."""
+"""Shadows around the feet inside a mask: the contact shadow below the soles, and shaded floor between shoes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import median_filter
 
-from cloner.vision.retouching.skin_colour import chroma
+from cloner.vision.retouching.skin_colour import log_chroma
 
 #: Columns whose lowest pixel of the person lies this near to his lowest one show a foot, share of the figure.
 FEET_SHARE: Final = 0.06
@@ -32,7 +32,7 @@ SAME_HUE, OTHER_HUE, MOST_ALIKE = 0.25, 0.35, 0.06
 
 
 def contact_shadow(rgb: NDArray[np.uint8], mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) the pixels of a person's mask below the soles: from each column's darkest place up to the shoe.
+    """Return the pixels (H, W) of a mask below the soles: from each column's darkest pixel up to the shoe.
 
     Where a sole is as dark as its shadow nothing tells them apart, and what begins above it counts as the shoe: some
     of a black sole is lost, which costs a texture nothing; an outline would shrink by it.
@@ -63,7 +63,7 @@ def contact_shadow(rgb: NDArray[np.uint8], mask: NDArray[np.bool_]) -> NDArray[n
 def _heights(
     grey: NDArray[np.float32], column: NDArray[np.intp], lowest: NDArray[np.intp], figure: float
 ) -> NDArray[np.intp]:
-    """Return (N,) how many pixels above each column's lowest one are shadow; 0 where none is."""
+    """Return the height (N,) px of the shadow above each column's lowest pixel; 0 where there is none."""
     below, deepest, highest = (round(share * figure) for share in (BELOW_SHARE, DARKEST_SHARE, HIGHEST_SHARE))
     step = np.arange(-below, highest + 1)[:, None]
     seen = grey[np.clip(lowest - step, 0, len(grey) - 1), column]
@@ -79,7 +79,7 @@ def _heights(
 
 
 def shaded_floor(rgb: NDArray[np.uint8], mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) the pixels of a person's mask about the feet that show a floor in shadow: between two shoes.
+    """Return the pixels (H, W) of a mask between the shoes that show shaded floor.
 
     Shade darkens a floor but leaves its hue. Where shoes or trousers have that hue too nothing is told.
 
@@ -100,7 +100,7 @@ def shaded_floor(rgb: NDArray[np.uint8], mask: NDArray[np.bool_]) -> NDArray[np.
     deep = depth > CORE_SHARE * figure
     if not around.any() or not deep.any():
         return floor
-    hue, _ = chroma(soft.reshape(-1, 3))
+    hue, _ = log_chroma(soft.reshape(-1, 3))
     own = np.median(hue[around.ravel()], axis=0)
     alike = (np.linalg.norm(hue - own, axis=1) < SAME_HUE).reshape(person.shape)
     if (np.linalg.norm(hue[deep.ravel()] - own, axis=1) < OTHER_HUE).mean() > MOST_ALIKE:

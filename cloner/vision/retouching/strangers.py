@@ -1,4 +1,4 @@
-"""Colours of the room that a mask took for the person's: the person has them nowhere else at that height."""
+"""Background colours inside a mask: colours that the person has nowhere else at the same height."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ SPECK_PX: Final = 5  # doubts smaller than that are noise
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class OwnColours:
-    """Which colours a person has deep inside the masks of some photos, by height: ``known`` is (H, L, a, b) bool."""
+class ColoursByHeight:
+    """Colours deep inside the masks of some photos, by height: ``known`` is (H, L, a, b) bool."""
 
     known: Bools
 
     def without_room(self, rgb: Picture, mask: Bools) -> Bools:
-        """Return the mask (H, W) without pixels near its outline in colours of the room beside it, not the person's."""
-        seen = _look(rgb, mask)
+        """Return the mask (H, W) without pixels near its outline in colours of the adjacent background."""
+        seen = _colour_cells(rgb, mask)
         if seen is None or seen.inner.all():
             return mask
         lab = cv2.cvtColor(seen.rgb, cv2.COLOR_RGB2Lab).astype(np.float32)
@@ -68,11 +68,11 @@ class OwnColours:
         return kept
 
 
-def own_colours(photos: Iterable[tuple[Picture, Bools]]) -> OwnColours:
-    """Return the colours of a person from photos (H, W, 3) of one framing with their masks (H, W)."""
+def colours_by_height(photos: Iterable[tuple[Picture, Bools]]) -> ColoursByHeight:
+    """Return the colours of a person in photos (H, W, 3) of one framing with masks (H, W)."""
     count = np.zeros(CELLS, np.int32)
     for rgb, mask in photos:
-        seen = _look(rgb, mask)
+        seen = _colour_cells(rgb, mask)
         if seen is None:
             continue
         depth = _depth(seen.inner)
@@ -80,12 +80,12 @@ def own_colours(photos: Iterable[tuple[Picture, Bools]]) -> OwnColours:
         thickness = cv2.dilate(depth, np.ones((reach, reach), np.uint8))
         deep = depth > np.minimum(DEEP_SHARE * thickness, DEEP * seen.figure_px)
         np.add.at(count, tuple(cell[deep] for cell in seen.cells), 1)
-    return OwnColours(np.asarray(maximum_filter((count >= LEAST_PX).astype(np.uint8), ALIKE_CELLS) > 0, bool))
+    return ColoursByHeight(np.asarray(maximum_filter((count >= LEAST_PX).astype(np.uint8), ALIKE_CELLS) > 0, bool))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Seen:
-    """A photo about its mask at `SCALE`: where it lies in the photo, pixels' cells of height and colour."""
+class _ColourCells:
+    """The masked part of a photo at `SCALE`: its position, and each pixel's cell of height and colour."""
 
     box: tuple[slice, slice]
     rgb: Picture
@@ -94,8 +94,8 @@ class _Seen:
     figure_px: float
 
 
-def _look(rgb: Picture, mask: Bools) -> _Seen | None:
-    """Return what is judged of a photo (H, W, 3) with a mask (H, W), None where it is empty."""
+def _colour_cells(rgb: Picture, mask: Bools) -> _ColourCells | None:
+    """Return the colour cells of a photo (H, W, 3) with a mask (H, W), None where it is empty."""
     rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
     if not rows.size:
         return None
@@ -108,7 +108,7 @@ def _look(rgb: Picture, mask: Bools) -> _Seen | None:
     lab = cv2.cvtColor(small, cv2.COLOR_RGB2Lab)
     height = np.arange(size[1])[::-1] * CELLS[0] // size[1]
     cells = [lab[..., k].astype(np.int32) * CELLS[k + 1] // 256 for k in range(3)]
-    return _Seen(box, small, inner, (np.broadcast_to(height[:, None], inner.shape), *cells), SCALE * len(rows))
+    return _ColourCells(box, small, inner, (np.broadcast_to(height[:, None], inner.shape), *cells), SCALE * len(rows))
 
 
 def _depth(part: Bools) -> NDArray[np.float32]:

@@ -1,1 +1,1 @@
-"""Masks: which pixels are the person, hair, limbs or loose cloth."""
+"""Masks: the pixels of the person, hair, limbs or loose clothing."""

@@ -1,4 +1,4 @@
-"""How much likelier each pixel's colour is on the person than behind him, near and far.
+"""Likelihood ratios of colours, person against background, global and local.
 
 Colours are told apart by a palette of the photo's own colours. How often each occurs among the sure
 person and the sure background is counted all over the photo and in windows; a window that has seen
@@ -38,7 +38,7 @@ LIMIT: Final = 6.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Palette:
-    """The colours of a photo's interesting part.
+    """Quantised colours of a photo's region of interest.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Palette:
     spread: Floats
 
 
-def make_palette(lab: Picture, where: Bools) -> Palette:
+def quantise_colours(lab: Picture, where: Bools) -> Palette:
     """Return the palette of the pixels ``where`` of an 8-bit (H, W, 3) Lab picture."""
     steps = [256 // size + 1 for size in CELL_LAB]
     key = np.zeros(lab.shape[:2], np.intp)
@@ -75,7 +75,7 @@ def make_palette(lab: Picture, where: Bools) -> Palette:
 def colour_ratio(
     palette: Palette, person: Bools, behind: Bools, wanted: Bools, *, window_px: float
 ) -> tuple[Floats, Floats]:
-    """Return log ratios of colours, person against background, in the whole photo and in windows.
+    """Return log likelihood ratios of colours, person against background, in the whole photo and in windows.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def colour_ratio(
 
 
 def _log_shares(palette: Palette, sure: Bools, cell: int, sigma: float) -> tuple[Floats, Floats]:
-    """Return log shares of the colours (K,) in the whole photo and (K, h, w) in windows, ``sigma`` in cells."""
+    """Return log frequencies of the colours (K,) in the whole photo and (K, h, w) in windows, ``sigma`` in cells."""
     rows, columns = np.nonzero(sure)
     high, wide = -(-sure.shape[0] // cell), -(-sure.shape[1] // cell)
     size, colours = high * wide, len(palette.spread)
@@ -128,13 +128,13 @@ def _log_shares(palette: Palette, sure: Bools, cell: int, sigma: float) -> tuple
 
 @functools.lru_cache(maxsize=8)
 def _gaussian(size: int, sigma: float) -> Floats:
-    """Return the (size, size) matrix, never written to, that sums under a Gaussian of height one."""
+    """Return the (size, size) matrix of Gaussian sums of height one (read-only)."""
     gap = np.arange(size)[:, None] - np.arange(size)[None]
     return np.exp(-0.5 * (gap / sigma) ** 2).astype(np.float32)
 
 
 def _between(maps: Floats, colour: Ints, y: NDArray[np.float64], x: NDArray[np.float64]) -> Floats:
-    """Read (K, h, w) maps at fractional cells (N,), bilinearly."""
+    """Sample maps (K, h, w) at fractional cells (N,), bilinearly."""
     high, wide = maps.shape[1:]
     top = np.clip(y.astype(np.intp), 0, max(high - 2, 0))
     left = np.clip(x.astype(np.intp), 0, max(wide - 2, 0))

@@ -1,4 +1,4 @@
-"""The hair's edge against skin and cloth, drawn finely by the colours on both sides of it."""
+"""The hair's boundary against skin and cloth, refined by the colours on both sides."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.vision.photographs.head_frame import face_organs
-from cloner.vision.segmentation.colours import colour_ratio, make_palette
+from cloner.vision.segmentation.colours import colour_ratio, quantise_colours
 from cloner.vision.segmentation.pieces import box_around
 
 Floats = NDArray[np.float32]
@@ -43,7 +43,7 @@ def draw_edge(
     head_px: float,
     ear_px: float,
 ) -> Flags:
-    """Return the (H, W) hair of a photo around a head, its edge drawn at ``FINE_HEAD_PX`` a head.
+    """Return the hair (H, W) of a photo around a head, its boundary drawn at ``FINE_HEAD_PX`` per head.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def draw_edge(
 
 
 def sharpen_hair(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Flags, head_px: float) -> Floats:
-    """Return the hair's probability (H, W) with its edge along the colours of this photo.
+    """Return the hair's probability (H, W) with its boundary along the photo's colours.
 
     Parameters
     ----------
@@ -90,12 +90,12 @@ def sharpen_hair(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Fla
     box = box_around(found > 0.5, int(TEACHERS * head_px) + 2)
     part = np.ascontiguousarray(rgb[box])
     for _ in range(ROUNDS):
-        found[box] = _round(part, found[box], person[box], never[box], head_px)
+        found[box] = _sharpening_round(part, found[box], person[box], never[box], head_px)
     return found
 
 
-def _round(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Flags, head_px: float) -> Floats:
-    """Return the hair's probability (H, W), decided anew near its edge."""
+def _sharpening_round(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Flags, head_px: float) -> Floats:
+    """Return the hair's probability (H, W) after one more decision near its boundary."""
     now = (hair > 0.5).astype(np.uint8)
     away = cv2.distanceTransform(now, cv2.DIST_L2, 3) + cv2.distanceTransform(1 - now, cv2.DIST_L2, 3)
     near = (away < TEACHERS * head_px) & person & ~never
@@ -103,19 +103,19 @@ def _round(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Flags, he
     sure = near & (away > SURE * head_px)
     if not open_.any():
         return hair
-    palette = make_palette(np.asarray(cv2.cvtColor(rgb, cv2.COLOR_RGB2Lab), np.uint8), near)
+    palette = quantise_colours(np.asarray(cv2.cvtColor(rgb, cv2.COLOR_RGB2Lab), np.uint8), near)
     ratios = np.zeros((2, *now.shape), np.float32)
     window = max(WINDOW * head_px, 2.0)
     ratios[:, open_] = colour_ratio(palette, sure & (now > 0), sure & (now == 0), open_, window_px=window)
     wide, close = (np.clip(cv2.GaussianBlur(ratio, (0, 0), 1.0), -LIMIT, LIMIT) for ratio in ratios)
     own = WEIGHTS[0] * np.clip(_log_odds(hair), -LIMIT, LIMIT) + WEIGHTS[1] * wide + WEIGHTS[2] * close
     passed = np.where(person, np.where(open_, own, np.where(now > 0, LIMIT, -LIMIT)), 0.0).astype(np.float32)
-    odds = own + _along(rgb, passed, person)
+    odds = own + _smoothed_log_odds(rgb, passed, person)
     return np.where(open_, 1.0 / (1.0 + np.exp(-odds)), hair).astype(np.float32)
 
 
 def fill_slivers(hair: Flags, person: Flags, head_px: float) -> Flags:
-    """Return hair (H, W) with the person's thin strips between it and the background: shine at the outline."""
+    """Return hair (H, W) with the person's thin strips between it and the background, such as shine."""
     if not hair.any():  # also of a head whose ears are the picture's first row: no rows at all
         return hair
     size = 2 * max(1, round(SLIVER * head_px)) + 1
@@ -127,8 +127,8 @@ def fill_slivers(hair: Flags, person: Flags, head_px: float) -> Flags:
     return np.asarray(hair | ((shown > 0) & (thick == 0) & near_hair & near_wall))
 
 
-def _along(rgb: NDArray[np.uint8], odds: Floats, person: Flags) -> Floats:
-    """Return log-odds (H, W) averaged over like neighbours of the person."""
+def _smoothed_log_odds(rgb: NDArray[np.uint8], odds: Floats, person: Flags) -> Floats:
+    """Return log odds (H, W) averaged over similar neighbours of the person."""
     smoother = cv2.ximgproc.createFastGlobalSmootherFilter(rgb, SPREADING, STEP)
     mass = smoother.filter(person.astype(np.float32))
     return np.asarray(smoother.filter(odds) / np.maximum(mass, 1e-3), np.float32)

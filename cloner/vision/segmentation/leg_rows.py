@@ -1,4 +1,4 @@
-"""The outline around both legs, row by row, against where the pose says the legs are."""
+"""The outline around both legs, row by row, relative to the legs of the pose."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def leg_rows(mask: Bools, pose_px: Array, visibility: Array) -> LegRows | None:
 
 
 def _leg_axes(pose_px: Array, at: NDArray[np.int64]) -> Array:
-    """Return (R, 2) columns of the image-left and image-right leg's axis at rows."""
+    """Return the columns (R, 2) of the image-left and image-right leg's axis at rows."""
     columns = []
     for side in (0, 1):
         joints = pose_px[[HIPS[side], KNEES[side], ANKLES[side]]]

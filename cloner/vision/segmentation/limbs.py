@@ -1,4 +1,4 @@
-"""What pose points say about a person's mask: where feet are, and where hands spread their fingers."""
+"""Corrections of a person's mask by pose points: feet, and zones of spread fingers."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PALM: Final = 0.013
 
 
 def distance_to(shape: tuple[int, int], areas: list[Points]) -> Floats:
-    """Return (H, W) distances in px to the nearest of some convex areas (N, 2) or strokes."""
+    """Return distances (H, W) px to the nearest of some convex areas (N, 2) or strokes."""
     free = np.ones(shape, np.uint8)
     for area in areas:
         corners = np.rint(np.clip(area, -1e4, 1e4)).astype(np.int32)
@@ -45,7 +45,7 @@ def distance_to(shape: tuple[int, int], areas: list[Points]) -> Floats:
 
 
 def add_feet(probability: Floats, pose_px: Points) -> tuple[Floats, Bools]:
-    """Raise a person's probability where pose points show feet.
+    """Raise a person's probability around the feet of the pose.
 
     Mask nets lose shoes seen from the side, all of a shoe as often as its sole.
 
@@ -77,7 +77,7 @@ def add_feet(probability: Floats, pose_px: Points) -> tuple[Floats, Bools]:
 
 
 def finger_zone(shape: tuple[int, int], pose_px: Points) -> Floats:
-    """Return (H, W) float32 that is 1 where fingers may be, softly 0 elsewhere.
+    """Return (H, W) float32: 1 where fingers may be, fading to 0 elsewhere.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Loose clothing found in one outline: cloth that fills the gap between the legs and ends in a hem.
+"""Loose clothing in one outline: cloth that fills the gap between the legs and ends in a hem.
 
 A body's legs part gradually below the crotch; a skirt or coat fills the gap and
 stands off on both sides until, within a few centimetres, it ends. The pose says
@@ -45,7 +45,7 @@ KNEE, MOSTLY = 0.5, 0.6
 
 @dataclass(frozen=True, slots=True)
 class Hem:
-    """Where cloth around the legs ends in one photo.
+    """The hem of cloth around the legs in one photo.
 
     Attributes
     ----------
@@ -101,7 +101,7 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
 
 
 def _floor_length(legs: LegRows) -> Hem | None:
-    """Return the hem of cloth to the floor: it fills what the legs have apart and stands off down to the ankles."""
+    """Return the hem of floor-length cloth: it fills the gap between the legs and stands off down to the ankles."""
     rows = np.flatnonzero((legs.level > CALVES[0]) & (legs.level < CALVES[1]))
     if rows.size == 0 or legs.joined[rows].mean() < FILLED:
         return None
@@ -113,7 +113,7 @@ def _floor_length(legs: LegRows) -> Hem | None:
 
 
 def _steps(legs: LegRows, above: slice, below: slice) -> Array:
-    """Return (2,) how far both edges step in, px; an edge that arms hide does as the other, both hidden NaN."""
+    """Return how far both edges step in, (2,) px; an edge that arms cover takes the other's value, NaN if both are."""
     steps = np.full(2, np.nan)
     for side in (0, 1):
         high, low = (legs.off_px[rows, side][legs.seen[rows, side]] for rows in (above, below))
@@ -123,17 +123,17 @@ def _steps(legs: LegRows, above: slice, below: slice) -> Array:
 
 
 def _bridges(legs: LegRows, rows: slice) -> bool:
-    """Whether the outline fills everything between the legs."""
+    """Return whether the outline fills all of the gap between the legs."""
     return bool(legs.joined[rows].mean() >= FILLED)
 
 
 def _mostly_bridges(legs: LegRows, rows: slice) -> bool:
-    """Whether it fills most of what is between the legs below the knees: a mask may have holes there."""
+    """Return whether it fills most of the gap below the knees: a mask may have holes there."""
     return bool(np.median(legs.level[rows]) > KNEE and legs.filled[rows].mean() >= MOSTLY)
 
 
 def _is_low(legs: LegRows, rows: slice) -> bool:
-    """Whether rows lie below where thighs touch, and the legs are apart there."""
+    """Return whether rows lie below where thighs touch, and the legs are apart there."""
     apart = np.median(legs.gap_px[rows]) > LEAST_GAP * legs.figure_px
     return bool(apart and np.median(legs.level[rows]) > LOW_BRIDGE)
 
@@ -170,7 +170,7 @@ def region_around_legs(mask: Bools, legs: LegRows, hem: Hem) -> LooseRegion:
 
 
 def _edge_end(legs: LegRows, column: int, row: int, arc: int, settle: int) -> float:
-    """Return the row in which one edge of the cloth ends: where it steps in to the leg."""
+    """Return the row in which one edge of the cloth ends, where it steps in to the leg."""
     out = median_filter(legs.off_px[:, column], 3)
     first, last = max(row - 2 * arc, 0), min(row + arc, len(out) - 1 - settle)
     rows = np.arange(first, last)
@@ -186,7 +186,7 @@ def _edge_end(legs: LegRows, column: int, row: int, arc: int, settle: int) -> fl
 
 
 def _sag(mask: Bools, top_px: int, edges: Array, ends: Array, arc: int) -> float:
-    """Return how much lower the hem hangs in the middle of the picture than at its ends, px; 0 where legs hide it."""
+    """Return how much lower the hem hangs in the middle of the photo than at its ends, px; 0 where legs cover it."""
     low, high = edges[int(ends.min())]
     columns = np.arange(max(int(low), 0), min(int(high), mask.shape[1] - 1) + 1)
     if columns.size < 8:
@@ -204,7 +204,7 @@ def _sag(mask: Bools, top_px: int, edges: Array, ends: Array, arc: int) -> float
 
 
 def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[ViewId, tuple[LooseRegion, ...]]:
-    """Return the loose clothing of every body photo that shows some.
+    """Return the loose clothing of every body photo with some.
 
     Cloth around the legs must bridge them from the front or from behind, and the
     other of the two must at least show its hem; the side photo then shows how far

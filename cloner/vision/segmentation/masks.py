@@ -1,4 +1,4 @@
-"""Sharpen a person's probability along the colours of the photo."""
+"""Refinement of a person's probability along the photo's colours."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.vision.photographs.crops import shrink_to
-from cloner.vision.segmentation.colours import colour_ratio, make_palette
+from cloner.vision.segmentation.colours import colour_ratio, quantise_colours
 from cloner.vision.segmentation.limbs import add_feet, finger_zone
 
 #: What each number is and where it comes from: ``cloner/calibration/vision.toml``.
@@ -37,7 +37,7 @@ KEPT = _CALIBRATED.number("kept", "score")
 
 @dataclass(frozen=True, slots=True)
 class MaskParams:
-    """Settings of `refine_mask`; all measured on visitors and painted people, none is delicate.
+    """Settings of `refine_mask`, measured on visitors and painted people; none is delicate.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def refine_mask(
     *,
     params: MaskParams | None = None,
 ) -> Floats:
-    """Sharpen a coarse person probability along the photo's own edges.
+    """Refine a coarse person probability along the photo's own edges.
 
     Each undecided pixel weighs the given log-odds with how often its colour occurs on the
     sure person and behind, near and far. What it finds spreads to its neighbours of like
@@ -108,14 +108,16 @@ def refine_mask(
         placed = (pose_points[:, :2] + 0.5) * (size[0] / rgb.shape[1]) - 0.5
         coarse, around = add_feet(coarse, placed)
         fingers = finger_zone(coarse.shape, placed)
-    odds = _evidence(small, coarse, around, fingers, settings)
+    odds = _person_log_odds(small, coarse, around, fingers, settings)
     whole = (rgb.shape[1], rgb.shape[0])
-    out = cv2.resize(_one_piece(odds), whole, interpolation=cv2.INTER_LINEAR)
+    out = cv2.resize(_main_component(odds), whole, interpolation=cv2.INTER_LINEAR)
     return np.asarray(1.0 / (1.0 + np.exp(-out)), np.float32)
 
 
-def _evidence(small: Picture, coarse: Floats, around: Bools, fingers: Floats | None, settings: MaskParams) -> Floats:
-    """Return log-odds of the person; far from doubt those of the coarse probability."""
+def _person_log_odds(
+    small: Picture, coarse: Floats, around: Bools, fingers: Floats | None, settings: MaskParams
+) -> Floats:
+    """Return log odds of the person; far from uncertain pixels those of the coarse probability."""
     side = max(coarse.shape)
     doubt = (coarse > settings.open_band) & (coarse < 1.0 - settings.open_band)
     prior = _log_odds(coarse, 0.005)
@@ -140,14 +142,14 @@ def _evidence(small: Picture, coarse: Floats, around: Bools, fingers: Floats | N
 def _colour_evidence(
     small: Picture, coarse: Floats, taught: Bools, around: Bools, open_: Bools, settings: MaskParams
 ) -> tuple[Floats, Floats]:
-    """Return (H, W) log ratios of the colours, of the whole photo and nearby; 0 away from the open pixels."""
+    """Return log likelihood ratios (H, W) of the colours, global and local; 0 away from the open pixels."""
     kernel = np.ones((3, 3), np.uint8)
     person, behind = (
         cv2.erode(sure.astype(np.uint8), kernel) > 0
         for sure in (taught & (coarse > settings.sure), taught & ~around & (coarse < 1.0 - settings.sure))
     )
-    person &= _deep(coarse > settings.sure, settings.deep * max(coarse.shape))
-    palette = make_palette(np.asarray(cv2.cvtColor(small, cv2.COLOR_RGB2Lab), np.uint8), taught | open_)
+    person &= _deep_inside(coarse > settings.sure, settings.deep * max(coarse.shape))
+    palette = quantise_colours(np.asarray(cv2.cvtColor(small, cv2.COLOR_RGB2Lab), np.uint8), taught | open_)
     # three pixels round the open ones: the blur below reads them
     wanted = cv2.dilate(open_.astype(np.uint8), kernel, iterations=3) > 0
     wanted &= taught | open_
@@ -158,8 +160,8 @@ def _colour_evidence(
     return wide, near
 
 
-def _deep(sure: Bools, depth_px: float) -> Bools:
-    """Return which pixels lie this deep inside, or `DEEP_SHARE` as deep as the thickest place nearby."""
+def _deep_inside(sure: Bools, depth_px: float) -> Bools:
+    """Return the pixels this deep inside, or `DEEP_SHARE` as deep as the thickest place nearby."""
     depth = cv2.distanceTransform(sure.astype(np.uint8), cv2.DIST_L2, 3)
     reach = 4 * int(np.ceil(depth_px)) + 1
     thickness = cv2.dilate(depth, np.ones((reach, reach), np.uint8))
@@ -167,13 +169,13 @@ def _deep(sure: Bools, depth_px: float) -> Bools:
 
 
 def _log_odds(probability: Floats, least: float) -> Floats:
-    """Return log-odds, between those of ``least`` and of one minus it."""
+    """Return log odds, clipped to those of ``least`` and one minus it."""
     clipped = np.clip(probability, least, 1.0 - least)
     return np.asarray(np.log(clipped / (1.0 - clipped)), np.float32)
 
 
 def outline_step(small: Picture, coarse: Floats) -> float:
-    """Return the step of colour, grey levels a pixel, that counts as an edge in this photo.
+    """Return the colour step that counts as an edge in this photo, grey levels per pixel.
 
     Parameters
     ----------
@@ -199,8 +201,8 @@ def outline_step(small: Picture, coarse: Floats) -> float:
     return float(np.clip(STEP_SHARE * np.quantile(step, 0.25), LEAST_STEP, MOST_STEP))
 
 
-def _one_piece(odds: Floats) -> Floats:
-    """Remove islands that touch no large part of the person, and pinholes in it."""
+def _main_component(odds: Floats) -> Floats:
+    """Remove islands that touch no large part of the person, and pinholes."""
     person = (odds > 0.0).astype(np.uint8)
     count, labels, stats, _ = cv2.connectedComponentsWithStats(person, connectivity=8)
     if count <= 1:

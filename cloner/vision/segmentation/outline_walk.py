@@ -1,4 +1,4 @@
-"""Walks over a soft mask: where the outline lies beside an axis, and where background gapes between two limbs."""
+"""Measurements on a soft mask: the outline beside an axis, and gaps of background between two limbs."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _CUT: Final = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Figure:
+class SoftMask:
     """A person's soft mask with its extent.
 
     Attributes
@@ -41,22 +41,22 @@ class Figure:
 
     @property
     def height_px(self) -> float:
-        """Height of the figure, px."""
+        """Return the person's height, px."""
         return float(self.bottom_px[1] - self.top_px[1])
 
     def inside(self, points_px: Array) -> Bools:
-        """Return (N,) whether points (N, 2) lie on the person."""
+        """Return whether points (N, 2) lie on the person, (N,)."""
         return np.asarray(sample(self.level, points_px) > EDGE)
 
     def crossing(self, inner_px: Array, outer_px: Array) -> Array:
-        """Return the (2,) outline between a point on the person and one beside it, sub-pixel."""
+        """Return the subpixel outline (2,) between a point on the person and one beside it."""
         within, beyond = (float(value) for value in sample(self.level, np.stack([inner_px, outer_px])))
         share = np.clip((within - EDGE) / max(within - beyond, 1e-6), 0.0, 1.0)
         return np.asarray(inner_px + share * (outer_px - inner_px))
 
 
-def figure_of(mask: NDArray[np.uint8]) -> Figure | None:
-    """Return the figure of a mask (H, W), 0..255, or None when it shows nobody."""
+def soft_mask(mask: NDArray[np.uint8]) -> SoftMask | None:
+    """Return the soft mask (H, W) 0..255 with its extent, None when it shows nobody."""
     level = np.asarray(mask, dtype=np.float32) / np.float32(255.0)
     inside = level > EDGE
     rows = np.flatnonzero(inside.any(axis=1))
@@ -67,7 +67,7 @@ def figure_of(mask: NDArray[np.uint8]) -> Figure | None:
     borders = {"top": inside[0], "bottom": inside[-1], "left": inside[:, 0], "right": inside[:, -1]}
     cut = tuple(name for name, border in borders.items() if np.count_nonzero(border) > least)
     top = _end(level, int(rows[0]), -1)
-    return Figure(level, top, _end(level, int(rows[-1]), 1), cut if len(columns) else ())
+    return SoftMask(level, top, _end(level, int(rows[-1]), 1), cut if len(columns) else ())
 
 
 def _end(level: NDArray[np.float32], row: int, step: int) -> Array:
@@ -94,7 +94,7 @@ def sample(level: NDArray[np.float32], points_px: Array) -> NDArray[np.float32]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Strip:
-    """Where the outline lies on both sides of an axis.
+    """The outline on both sides of an axis.
 
     Attributes
     ----------
@@ -112,16 +112,16 @@ class Strip:
 
     @property
     def width(self) -> Array:
-        """Distance between the borders, (T,) px."""
+        """Return the distance between the borders, (T,) px."""
         return np.asarray(self.far - self.near)
 
     @property
     def middle_px(self) -> Array:
-        """Middle between the borders, (T, 2) px."""
+        """Return the middle between the borders, (T, 2) px."""
         return np.asarray(self.centres_px + 0.5 * (self.near + self.far)[:, None] * self.across)
 
     def border_px(self, place: float, *, far: bool) -> Array | None:
-        """Return the (2,) border point at a (fractional) row of the strip, None where there is none."""
+        """Return the border point (2,) at a (fractional) row of the strip, None where there is none."""
         distance = self.far if far else self.near
         low = int(np.clip(np.floor(place), 0, len(distance) - 1))
         rows = np.array([low, min(low + 1, len(distance) - 1)])
@@ -141,8 +141,8 @@ class Strip:
         return np.asarray(borders[int(np.nanargmin(away))])
 
 
-def walk_strip(figure: Figure, centres_px: Array, across: Array, reach_px: float, *, slack_px: float = 0.0) -> Strip:
-    """Return the first borders on both sides of an axis, sub-pixel by interpolation of the soft mask.
+def walk_strip(figure: SoftMask, centres_px: Array, across: Array, reach_px: float, *, slack_px: float = 0.0) -> Strip:
+    """Return the first borders on both sides of an axis, subpixel, from the soft mask.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ def polyline(points_px: Array, step_px: float = 1.0) -> tuple[Array, Array]:
 
 
 def smoothed(profile: Array, sigma: float) -> Array:
-    """Return a profile (T,) smoothed by a Gaussian that leaves NaN out; NaN stays NaN."""
+    """Return a profile (T,) smoothed by a Gaussian that ignores NaN; NaN stays NaN."""
     known = np.isfinite(profile)
     if sigma <= 0 or not known.any():
         return profile
@@ -216,8 +216,8 @@ def extreme(profile: Array, start: float, end: float, *, largest: bool) -> float
     return float(low + at + (0.5 * (left - right) / bend if bend < -1e-9 else 0.0))
 
 
-def gap_between(figure: Figure, first_px: Array, second_px: Array) -> Array:
-    """Return (T,) width of the background between two axes, row by row, px: 0 where the person fills it.
+def gap_between(figure: SoftMask, first_px: Array, second_px: Array) -> Array:
+    """Return the width (T,) px of the background between two axes, row by row: 0 where the person fills it.
 
     Parameters
     ----------
@@ -246,8 +246,8 @@ def gap_top(gap_px: Array, least_px: float) -> int | None:
     return None
 
 
-def apex(figure: Figure, first_px: Array, second_px: Array) -> Array:
-    """Return the sub-pixel (2,) top of the gap whose first open row lies between two pixels of that row."""
+def gap_apex(figure: SoftMask, first_px: Array, second_px: Array) -> Array:
+    """Return the subpixel top (2,) of the gap whose first open row lies between two pixels of that row."""
     count = int(max(np.ceil(abs(second_px[0] - first_px[0])), 2))
     row = first_px[None] + np.linspace(0.0, 1.0, count)[:, None] * (second_px - first_px)[None]
     values = sample(figure.level, row)

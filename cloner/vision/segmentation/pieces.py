@@ -1,4 +1,4 @@
-"""Connected pieces of a mask, counted in the box around it only: a photo is mostly something else."""
+"""Connected components of a mask, computed in its bounding box only."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ Box = tuple[slice, slice]
 
 
 def box_around(mask: NDArray[np.bool_] | NDArray[np.uint8], air: int = 0) -> Box:
-    """Return the rows and columns around a mask (H, W), with so many pixels of air; without any pixel an empty box."""
+    """Return the rows and columns around a mask (H, W) with a margin in pixels; an empty box for an empty mask."""
     left, top, width, height = cv2.boundingRect(mask.view(np.uint8))
     if not width:
         return np.s_[top:top, left:left]
     return np.s_[max(top - air, 0) : top + height + air, max(left - air, 0) : left + width + air]
 
 
-def pieces_of(mask: NDArray[np.bool_] | NDArray[np.uint8]) -> tuple[Box, Ints, Ints]:
-    """Return the box around a mask (H, W), its 8-connected pieces there and their figures.
+def connected_pieces(mask: NDArray[np.bool_] | NDArray[np.uint8]) -> tuple[Box, Ints, Ints]:
+    """Return a mask's bounding box, its 8-connected components there, and their statistics.
 
     Returns
     -------

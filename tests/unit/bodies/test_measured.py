@@ -14,7 +14,7 @@ from cloner.bodies.ruler import girth_slopes, level_slopes, read
 from cloner.bodies.telling import GIRTHS, Told, untold_mm
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measurement.measures import girth_planes, read_mm
+from cloner.geometry.measurement.measures import girth_planes, mean_girth_mm
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.bodies import BodyMesh
 
@@ -132,7 +132,7 @@ def test_slopes_of_a_girth_are_those_of_the_tape() -> None:
         own[row] = 0.05
         moved = family.body(own)
         after = girth_planes(moved.vertices_m, moved.joints_m, rules, (key,))
-        change = (read_mm(moved.vertices_m, after[key]) - read_mm(body.vertices_m, planes[key])) / 0.05
+        change = (mean_girth_mm(moved.vertices_m, after[key]) - mean_girth_mm(body.vertices_m, planes[key])) / 0.05
         assert slopes[row] == pytest.approx(change, rel=0.1), key
 
 

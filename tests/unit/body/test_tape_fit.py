@@ -8,7 +8,7 @@ import pytest
 from cloner.body.tape_fit import fit_tape_measures
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measurement.measures import girth_planes, read_mm, slice_points
+from cloner.geometry.measurement.measures import girth_planes, mean_girth_mm, slice_points
 from cloner.records.bodies import BodyMesh
 
 
@@ -19,7 +19,7 @@ def body() -> BodyMesh:
 
 def girths(body: BodyMesh) -> dict[str, float]:
     planes = girth_planes(body.vertices_m, body.joints_m, load_tape_rules())
-    return {key: read_mm(body.vertices_m, own) for key, own in planes.items()}
+    return {key: mean_girth_mm(body.vertices_m, own) for key, own in planes.items()}
 
 
 def width_and_depth_mm(body: BodyMesh, key: str) -> np.ndarray:

@@ -15,7 +15,7 @@ from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
 from cloner.project.results import RESULT_MARK, file_digest
 from cloner.project.stamps import photos_token
-from cloner.vision.photographs.films import told_png, write_film
+from cloner.vision.photographs.films import png_text, write_film
 
 ANNA, BORIS = photos_token(["1" * 64, "2" * 64]), photos_token(["3" * 64])
 PEOPLE = [{"id": "anna", "stamp": f"Cloner 1, photos {ANNA}"}, {"id": "boris", "stamp": f"Cloner 1, photos {BORIS}"}]
@@ -24,7 +24,7 @@ PEOPLE = [{"id": "anna", "stamp": f"Cloner 1, photos {ANNA}"}, {"id": "boris", "
 def film(path: Path, told: str) -> Path:
     pictures = [np.full((32, 48, 3), 60 * k, np.uint8) for k in range(4)]
     if path.suffix == ".png":
-        Image.fromarray(pictures[1]).save(path, pnginfo=told_png(told))
+        Image.fromarray(pictures[1]).save(path, pnginfo=png_text(told))
     else:
         write_film(pictures, 10.0, path, told)
     return path

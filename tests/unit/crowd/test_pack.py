@@ -26,7 +26,7 @@ from cloner.crowd.packs.reading import read_facts
 from cloner.crowd.packs.wanted import rings_of
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.acts import ACTS
@@ -115,7 +115,12 @@ def test_vertex_animation_decodes_to_the_skinned_walk(pack: Path, results: Path)
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), motion.rotations[12])
     root = motion.root_m[12]
     weights = generic.skin_weights.astype(np.float64)
-    want = skin(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)[body.vertex[:count]] + root
+    want = (
+        linear_blend_skinning(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)[
+            body.vertex[:count]
+        ]
+        + root
+    )
     assert np.linalg.norm(moved[:count] - want, axis=1).max() < 1e-3
 
 

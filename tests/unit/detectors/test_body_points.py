@@ -14,7 +14,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES
 from cloner.records.labels import Label
 from cloner.records.points import StateKind, expected_error
-from cloner.vision.segmentation.outline_walk import figure_of
+from cloner.vision.segmentation.outline_walk import soft_mask
 from kit import net as known_net
 from kit import people
 
@@ -140,7 +140,7 @@ def test_a_joint_beside_the_person_is_put_back(shown):
     wrong[net.KNEES[net.LEFT], 0] += 0.16 * height_of(mask)
     found = propose("body_front", mask, wrong)
     assert any("left knee beside the person" in state.sentence for state in found.states)
-    assert figure_of(mask).inside(found.get("l_knee")[None])[0]
+    assert soft_mask(mask).inside(found.get("l_knee")[None])[0]
 
 
 def test_a_knee_out_of_order_is_refused(shown):

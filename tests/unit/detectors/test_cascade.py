@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cloner.detectors.face.cascade import FEATURES, FeaturePose, find_feature, load_cascades, side_names
-from cloner.vision.photographs.gradients import describe
+from cloner.vision.photographs.gradients import gradient_histograms
 from kit.visitors import photo, truth_mask, visitor_folder
 
 
@@ -121,8 +121,8 @@ def test_where_no_ear_is_none_is_believed():
 def test_light_and_contrast_do_not_change_a_description_but_shape_does():
     y, x = np.mgrid[:80, :64].astype(np.float32)
     edge = (np.hypot(x - 32, y - 40) < 20).astype(np.float32) * 120
-    brighter = describe(1.4 * edge + 50)
-    assert np.linalg.norm(brighter - describe(edge)) < 0.15 * np.linalg.norm(brighter)
+    brighter = gradient_histograms(1.4 * edge + 50)
+    assert np.linalg.norm(brighter - gradient_histograms(edge)) < 0.15 * np.linalg.norm(brighter)
     other = (np.abs(x - 32) < 20).astype(np.float32) * 120
-    assert np.linalg.norm(describe(other) - describe(edge)) > 0.5 * np.linalg.norm(brighter)
-    assert np.abs(describe(np.full((80, 64), 90, np.float32))).max() < 1e-6
+    assert np.linalg.norm(gradient_histograms(other) - gradient_histograms(edge)) > 0.5 * np.linalg.norm(brighter)
+    assert np.abs(gradient_histograms(np.full((80, 64), 90, np.float32))).max() < 1e-6

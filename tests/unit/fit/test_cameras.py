@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from cloner.fit.cameras import CameraUnknowns, resect
-from cloner.geometry.articulation.skinning import rotation_matrices, skew, turning_axes
-from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
+from cloner.geometry.articulation.skinning import rotation_axes, rotation_matrices, skew
+from cloner.geometry.cameras.motions import motion_jacobian, moved_camera, projection_derivatives
 from cloner.records.views import Camera
 
 PLACES = np.random.default_rng(5).uniform(-0.1, 0.1, (30, 3))
@@ -40,7 +40,7 @@ def test_pixels_follow_points_and_the_cameras_motion(pixels_per_m: float | None)
 @pytest.mark.parametrize("pivot", [np.zeros(3), np.array([0.1, -0.2, 1.1])])
 def test_a_motion_far_from_its_start_is_differentiated_exactly(pivot: np.ndarray) -> None:
     there = moved_camera(camera(), MOTION, pivot)
-    by_motion = projection_derivatives(there, PLACES)[2] @ motion_twists(MOTION, pivot)
+    by_motion = projection_derivatives(there, PLACES)[2] @ motion_jacobian(MOTION, pivot)
     told = differences(lambda motion: moved_camera(camera(), motion, pivot).project(PLACES), MOTION)
     np.testing.assert_allclose(by_motion, told, atol=1e-3)
 
@@ -74,7 +74,7 @@ def test_turning_axes_are_those_about_which_a_rotation_turns() -> None:
         turned = differences(lambda r: rotation_matrices(r[None])[0], rotation)
         around = np.einsum("abk,cb->ack", turned, rotation_matrices(rotation[None])[0])
         for axis in range(3):
-            np.testing.assert_allclose(around[..., axis], skew(turning_axes(rotation)[:, axis]), atol=1e-6)
+            np.testing.assert_allclose(around[..., axis], skew(rotation_axes(rotation)[:, axis]), atol=1e-6)
 
 
 def test_a_camera_is_found_from_far_and_in_spite_of_a_wrong_point() -> None:

@@ -5,7 +5,7 @@ import numpy as np
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
 from cloner.geometry.charts.atlas import map_atlas
-from cloner.geometry.charts.partition import border_shares, partition_surface
+from cloner.geometry.charts.partition import blend_weights, partition_surface
 from cloner.geometry.charts.unwrapping import unwrap
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.rasters import fragments, nearest_depth
@@ -58,7 +58,7 @@ def test_shares_are_half_at_the_border_and_whole_beyond_the_band():
     scores = np.stack([np.where(left, 1.0, 0.4), np.where(left, 0.4, 1.0)])
     owner = partition_surface(scores, graph, smoothing=0)
     assert np.array_equal(owner == 0, left)
-    shares = border_shares(owner, 2, graph, np.full(len(vertices), 0.02))
+    shares = blend_weights(owner, 2, graph, np.full(len(vertices), 0.02))
     assert np.abs(shares.sum(axis=0) - 1.0).max() < 1e-9
     assert np.all(shares[0, vertices[:, 0] < 0.07] == 1.0)
     assert np.all(shares[0, vertices[:, 0] > 0.13] == 0.0)

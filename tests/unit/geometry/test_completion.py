@@ -8,7 +8,7 @@ import pytest
 from cloner.detectors.face.face_points import complete_face
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.deformation.completion import bring_along, complete_points
+from cloner.geometry.deformation.completion import complete_points, move_neighbours
 from cloner.records.photos import Photo
 from cloner.records.points import Correction, ViewPoints
 from cloner.stages.points import apply_corrections
@@ -59,7 +59,7 @@ def test_distinct_keys_are_wanted():
 def test_a_dragged_eye_corner_brings_the_lids_along_and_leaves_the_other_eye():
     px = 400.0 + 4.0 * GENERIC
     moved = np.array([name == "eye_outer_L" for name in NAMES])
-    out = bring_along(px, moved, px[moved] + [24.0, -16.0])
+    out = move_neighbours(px, moved, px[moved] + [24.0, -16.0])
     shift = {name: np.linalg.norm(out[ROWS[name]] - px[ROWS[name]]) for name in NAMES}
     assert shift["eye_outer_L"] == pytest.approx(np.hypot(24, 16))
     assert 5.0 < shift["eye_upper_L"] < shift["eye_outer_L"]

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.geometry.charts.iris import EYE_CORNERS, skin_around_eyes, white_to_skin
+from cloner.geometry.charts.iris import EYE_CORNERS, sclera_to_skin, skin_around_eyes
 from cloner.records.heads import HeadFit
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
@@ -34,14 +34,14 @@ def eyes(white: tuple[int, int, int] = WHITE) -> tuple[np.ndarray, np.ndarray, n
 
 
 def test_the_ratio_is_that_of_the_painted_colours() -> None:
-    found = white_to_skin(*eyes(), np.array(PUPILS, float))
+    found = sclera_to_skin(*eyes(), np.array(PUPILS, float))
     assert found == pytest.approx(np.array(WHITE) / np.array(SKIN), rel=0.02)
 
 
 def test_closed_eyes_tell_nothing() -> None:
     rgb, labels, mesh = eyes()
     labels[:] = Label.FACE_SKIN
-    assert white_to_skin(rgb, labels, mesh, np.array(PUPILS, float)) is None
+    assert sclera_to_skin(rgb, labels, mesh, np.array(PUPILS, float)) is None
 
 
 def test_the_skin_is_that_around_the_eyes_alone() -> None:

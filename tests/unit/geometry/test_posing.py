@@ -7,7 +7,7 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import SIGMAS, pose_matrix, standing_pose
-from cloner.geometry.articulation.posing import Chosen, descendants
+from cloner.geometry.articulation.posing import PointModel, descendants
 
 QUARTER = math.pi / 2
 
@@ -17,7 +17,7 @@ def arm():
     """Return one vertex beyond an elbow; the only coefficient lengthens the arm, the only angle bends the elbow."""
     bend = np.zeros((6, 1))
     bend[5, 0] = 1.0  # the elbow's z angle
-    return Chosen(
+    return PointModel(
         mean_m=np.array([[2.0, 0.0, 0.0]]),
         basis_m=np.array([[[0.5], [0.0], [0.0]]]),
         joints_mean_m=np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]),
@@ -59,7 +59,7 @@ def test_what_hangs_below_what():
 def test_derivatives_of_a_whole_person_agree_with_differences():
     generic, rng = load_generic(), np.random.default_rng(4)
     rows = rng.choice(len(generic.vertices_m), 40)
-    whole = Chosen(
+    whole = PointModel(
         generic.vertices_m[rows].astype(float),
         np.moveaxis(generic.shape_basis[:8, rows], 0, 2).astype(float),
         generic.joints_m.astype(float),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.geometry.meshes.rasters import cover, fragments, nearest_depth
+from cloner.geometry.meshes.rasters import fragments, nearest_depth, rasterise
 
 
 def _bumpy(side=24, size=60.0):
@@ -18,7 +18,7 @@ def _bumpy(side=24, size=60.0):
 
 def test_each_pixel_knows_the_triangle_that_covers_it_and_its_place_there():
     points, _, triangles = _bumpy()
-    pixel, triangle, weights = cover(points + 2.3, triangles, 70, 66)
+    pixel, triangle, weights = rasterise(points + 2.3, triangles, 70, 66)
     known = {(p, t): w for part in fragments(points + 2.3, triangles, 70, 66) for p, t, w in zip(*part, strict=True)}
     assert len(np.unique(pixel)) == len(pixel) == len({p for p, _ in known})
     pairs = list(zip(pixel, triangle, weights, strict=True))
@@ -47,7 +47,7 @@ def test_pixels_on_edges_are_covered_once_and_never_lost():
     a, b, c, d = (part.ravel() for part in (k[:-1, :-1], k[:-1, 1:], k[1:, 1:], k[1:, :-1]))
     triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]).astype(np.int32)
     inside = np.zeros(65 * 65, bool)
-    inside[cover(points, triangles, 65, 65)[0]] = True
+    inside[rasterise(points, triangles, 65, 65)[0]] = True
     assert inside.reshape(65, 65)[1:64, 1:64].all()
     depth = nearest_depth(points, np.full(81, 2.0), triangles, 65, 65)
     assert np.abs(depth[1:64, 1:64] - 2.0).max() < 1e-5
@@ -55,5 +55,5 @@ def test_pixels_on_edges_are_covered_once_and_never_lost():
 
 def test_what_stands_behind_the_camera_or_beside_the_picture_is_not_drawn():
     points, triangles = np.array([[-50.0, 1], [-10, 1], [-20, 9]]), np.array([[0, 1, 2]], np.int32)
-    assert cover(points, triangles, 8, 8)[0].size == 0
+    assert rasterise(points, triangles, 8, 8)[0].size == 0
     assert np.isinf(nearest_depth(points + 30.0, np.array([-1.0, 2.0, 2.0]), triangles, 40, 40)).all()

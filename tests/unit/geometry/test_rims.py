@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.geometry.outlines.rims import fill_triangles, rim_vertices, vertex_normals
+from cloner.geometry.outlines.rims import fill_triangles, silhouette_vertices, vertex_normals
 from cloner.records.views import Camera
 
 RADIUS, DISTANCE, FOCAL = 1.0, 3.0, 300.0
@@ -44,7 +44,7 @@ def test_the_picture_of_a_sphere_has_its_area(sphere, camera):
 def test_rim_vertices_lie_on_the_tangent_circle(sphere, camera):
     vertices, triangles = sphere
     pixels = camera.project(vertices)
-    rim, _ = rim_vertices(pixels, vertices, triangles, camera.position_m, (401, 401), 3.0)
+    rim, _ = silhouette_vertices(pixels, vertices, triangles, camera.position_m, (401, 401), 3.0)
     # tangent rays touch where the vertex's angle to the camera direction is acos(1/3)
     heights = vertices[rim, 2]
     assert heights == pytest.approx(np.full(len(rim), RADIUS**2 / DISTANCE), abs=0.08)
@@ -56,7 +56,7 @@ def test_a_ball_before_a_bigger_one_has_no_rim(sphere, camera):
     vertices, triangles = sphere
     small = 0.2 * vertices + [0.0, 0.0, 1.5]
     both, faces = np.vstack([vertices, small]), np.vstack([triangles, triangles + len(vertices)])
-    rim, _ = rim_vertices(camera.project(both), both, faces, camera.position_m, (401, 401), 3.0)
+    rim, _ = silhouette_vertices(camera.project(both), both, faces, camera.position_m, (401, 401), 3.0)
     assert len(rim) > 0
     assert rim.max() < len(vertices)
 
@@ -69,8 +69,8 @@ def test_the_rim_of_a_part_is_the_part_of_the_rim(sphere, camera):
     faces = np.concatenate([triangles, triangles + len(vertices)])
     seen = (camera.project(both), both, faces, camera.position_m, (401, 401), 3.0)
     part = np.arange(len(both)) >= len(vertices)
-    whole, picture = rim_vertices(*seen)
-    rim, filled = rim_vertices(*seen, among=part)
+    whole, picture = silhouette_vertices(*seen)
+    rim, filled = silhouette_vertices(*seen, among=part)
     assert 20 < len(rim) < len(whole)
     assert np.array_equal(rim, whole[part[whole]])
     assert 0 < np.count_nonzero(filled) < np.count_nonzero(picture), "the rest is not drawn"

@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 from cloner.geometry.outlines.rims import triangle_normals, vertex_normals
-from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, unfolded
+from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, without_folds
 
 
 @pytest.fixture(scope="module")
@@ -128,7 +128,7 @@ def test_a_fold_is_taken_out_and_the_rest_stays():
         return float((np.einsum("ta,ta->t", before, now) / size).min())
 
     assert least_cosine(moved) < 0.0
-    flat = unfolded(vertices, moved, triangles)
+    flat = without_folds(vertices, moved, triangles)
     assert least_cosine(flat) > 0.5
     # the triangles around it and two rings more: three diagonals of 14 mm
     far = np.linalg.norm(vertices - vertices[middle], axis=1) > 0.043
@@ -138,4 +138,4 @@ def test_a_fold_is_taken_out_and_the_rest_stays():
 def test_skin_without_folds_is_left_alone():
     vertices, triangles = grid(np.zeros_like)
     moved = vertices + 0.01 * np.sin(20.0 * vertices[:, :1]) * [0.0, 0.0, 1.0]
-    np.testing.assert_allclose(unfolded(vertices, moved, triangles), moved, atol=1e-15)
+    np.testing.assert_allclose(without_folds(vertices, moved, triangles), moved, atol=1e-15)

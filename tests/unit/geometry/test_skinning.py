@@ -5,7 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, rotation_matrices, skin
+from cloner.geometry.articulation.skinning import (
+    blend_transforms,
+    joint_transforms,
+    linear_blend_skinning,
+    rotation_matrices,
+)
 
 #: A root at the origin, an elbow one metre to the left, a wrist two metres to the left.
 CHAIN = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]])
@@ -55,6 +60,6 @@ def test_a_vertex_between_two_joints_goes_half_way():
     transforms = turned(elbow=[0.0, 0.0, QUARTER])
     vertex = np.array([[1.5, 0.0, 0.0]])
     # the root leaves it at (1.5, 0), the elbow takes it to (1, 0.5)
-    placed = skin(vertex, transforms, np.array([[0, 1]]), np.array([[0.5, 0.5]]))
+    placed = linear_blend_skinning(vertex, transforms, np.array([[0, 1]]), np.array([[0.5, 0.5]]))
     assert placed[0] == pytest.approx([1.25, 0.25, 0.0])
     assert blend_transforms(transforms, np.array([[0, 1]]), np.array([[1.0, 0.0]]))[0] == pytest.approx(np.eye(4)[:3])

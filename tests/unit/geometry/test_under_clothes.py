@@ -12,7 +12,7 @@ from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, measures_mm
 from cloner.geometry.measurement.prior import MeasurePrior
-from cloner.geometry.measurement.under_clothes import Estimate, Evidence, estimate
+from cloner.geometry.measurement.under_clothes import BodyEstimate, OutlineMeasures, estimate_body
 
 STATURE_M = 1.72
 COUNT = len(ALL_KEYS)
@@ -35,8 +35,8 @@ def bodies(count: int) -> np.ndarray:
     return STATURE_M * np.array(drawn)
 
 
-def found(shown: np.ndarray, **more: object) -> Estimate:
-    return estimate(Evidence(shown, STATURE_M, **{"bare": NOTHING_BARE, **more}), exact_fit())
+def found(shown: np.ndarray, **more: object) -> BodyEstimate:
+    return estimate_body(OutlineMeasures(shown, STATURE_M, **{"bare": NOTHING_BARE, **more}), exact_fit())
 
 
 @pytest.mark.parametrize("fit", [0, 1, 2])
@@ -146,7 +146,9 @@ def test_what_a_net_sees_under_clothes_is_a_rougher_tape() -> None:
         shown = body + prior.ease_mm[2]
         under = np.full(COUNT, np.nan)
         under[[WAIST, HIP]] = (0.3 * STATURE_M * usual + 0.7 * body)[[WAIST, HIP]]
-        estimates = [estimate(Evidence(shown, STATURE_M, NOTHING_BARE, under_mm=own), prior) for own in (under, None)]
+        estimates = [
+            estimate_body(OutlineMeasures(shown, STATURE_M, NOTHING_BARE, under_mm=own), prior) for own in (under, None)
+        ]
         with_it.append(estimates[0].mm[WAIST] - body[WAIST])
         without.append(estimates[1].mm[WAIST] - body[WAIST])
         assert estimates[0].deviation_mm[WAIST] < estimates[1].deviation_mm[WAIST]

@@ -7,10 +7,10 @@ import pytest
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning, strongest_weights
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.views import Hanger
-from cloner.hair.volumes.weights import hair_weights, strongest
+from cloner.hair.volumes.weights import hair_weights
 from kit import painted, people
 
 LIFT_M = 0.012
@@ -36,7 +36,7 @@ def turned(person, points, joints, weights, degrees):
     rotations = np.zeros((94, 3))
     rotations[load_generic().joint("skullbase"), 1] = np.radians(degrees)
     transforms = joint_transforms(person.joints_m, load_generic().joint_parents, rotations)
-    return skin(points, transforms, joints, weights)
+    return linear_blend_skinning(points, transforms, joints, weights)
 
 
 def test_a_turning_head_draws_no_hair_through_the_shoulder(person):
@@ -71,7 +71,7 @@ def test_the_crown_and_free_hair_follow_the_head_as_before(person):
 
 
 def test_four_joints_are_kept_and_sum_to_one():
-    joints, weights = strongest(np.array([[0.1, 0.3, 0.05, 0.2, 0.35]]))
+    joints, weights = strongest_weights(np.array([[0.1, 0.3, 0.05, 0.2, 0.35]]))
     assert joints.tolist() == [[4, 1, 3, 0]]
     assert weights.sum() == pytest.approx(1.0)
     assert weights[0, 0] == pytest.approx(0.35 / 0.95)

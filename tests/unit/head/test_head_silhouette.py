@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from cloner.fit.shapes import ShapeFit, fit_shape
 from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import facing_camera
-from cloner.geometry.outlines.contour_match import turning_points
+from cloner.geometry.outlines.contour_match import occluding_points
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.model import make_head_model
 from cloner.head.outline import Outline
@@ -31,7 +31,7 @@ def test_a_ball_turns_away_where_its_tangents_touch() -> None:
     index = np.arange(40 * 80).reshape(40, 80)
     edges = np.column_stack([index.ravel(), np.roll(index, -1, axis=1).ravel()])
 
-    found = turning_points(ball, ball, edges, np.array([4.0, 0.0, 0.0])).at(ball)
+    found = occluding_points(ball, ball, edges, np.array([4.0, 0.0, 0.0])).at(ball)
 
     # seen from 4 radii away the outline is the circle at a quarter of a radius towards the eye
     assert len(found) > 60

@@ -8,7 +8,7 @@ import pytest
 from cloner.evaluate.measures.crossings import buried_depths, self_crossings
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.rest import hanging_pose, t_pose
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.clearance import LEAST_DEG, MOST_DEG
@@ -30,7 +30,9 @@ def widened(factor):
 def posed(clone, rotations):
     generic = load_generic()
     transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
-    return skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    return linear_blend_skinning(
+        clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
+    )
 
 
 def skin_only():

@@ -9,8 +9,8 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.geometry.articulation.dual import skin_dual
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.dual import dual_quaternion_skinning
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.bending import BENDS, Flesh, bent, flesh
 from cloner.motion.flesh.correctives import corrected, driven
 from cloner.motion.flesh.rest import in_t_pose
@@ -27,9 +27,9 @@ def test_dual_quaternions_keep_the_distance_from_a_bend_that_linear_skinning_hal
     """Half carried by each of two joints a third of a turn apart: turned by a sixth, as far from the axis as before."""
     transforms = joint_transforms(np.zeros((2, 3)), np.array([-1, 0]), np.array([[0.0, 0, 0], [0, 0, 2 * np.pi / 3]]))
     point, joints, half = np.array([[1.0, 0.0, 0.3]]), np.array([[0, 1]]), np.array([[0.5, 0.5]])
-    (kept,) = skin_dual(point, transforms, np.array([-1, 0]), joints, half)
+    (kept,) = dual_quaternion_skinning(point, transforms, np.array([-1, 0]), joints, half)
     assert kept == pytest.approx([0.5, np.sqrt(0.75), 0.3])
-    assert np.linalg.norm(skin(point, transforms, joints, half)[0, :2]) == pytest.approx(0.5)
+    assert np.linalg.norm(linear_blend_skinning(point, transforms, joints, half)[0, :2]) == pytest.approx(0.5)
 
 
 def test_the_volume_of_a_box_without_lid_and_bottom() -> None:
@@ -58,7 +58,7 @@ def test_every_joint_keeps_its_flesh_over_its_range(t_pose: bool) -> None:
         for frame, degrees in enumerate(angles):
             transforms = joint_transforms(clone.joints_m, body.parents, poses[frame])
             points = clone.vertices_m + sum(motion.weights[name][frame] * own[:-1] for name, own in offsets.items())
-            held = [around.volume(skin(own, transforms, joints, weights)[around.rows]) / rest
+            held = [around.volume(linear_blend_skinning(own, transforms, joints, weights)[around.rows]) / rest
                     for own in (points, clone.vertices_m)]  # fmt: skip
             assert held[0] == pytest.approx(1.0, abs=BAR), (bend.joint, bend.way, degrees)
             lost = max(lost, 1.0 - held[1])

@@ -9,7 +9,7 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.fingers import palm_normal
-from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, below, body_of
@@ -26,7 +26,9 @@ def posed(clone: Clone, rotations) -> tuple[np.ndarray, np.ndarray]:
     """Return the posed vertices and joints."""
     transforms = joint_transforms(clone.joints_m, GENERIC.joint_parents.astype(int), rotations)
     joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3]
-    return skin(clone.vertices_m, transforms, GENERIC.skin_joints, GENERIC.skin_weights.astype(float)), joints
+    return linear_blend_skinning(
+        clone.vertices_m, transforms, GENERIC.skin_joints, GENERIC.skin_weights.astype(float)
+    ), joints
 
 
 def enclosed(points: np.ndarray) -> float:

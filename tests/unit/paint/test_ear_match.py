@@ -7,7 +7,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import look
+from cloner.geometry.cameras.seeing import visibility
 from cloner.paint.lookups.ear_match import shift_ear
 from kit import people, studio
 
@@ -19,7 +19,7 @@ def profile():
     person = people.known_person(51, spread=0.3)
     camera = studio.camera(-90.0, distance_m=1.3, height_m=1.55, aim_m=1.5, size_px=(1200, 1600), focal_35mm=75)
     triangles = body_triangles()
-    sight = look(person.vertices_m, triangles, camera)
+    sight = visibility(person.vertices_m, triangles, camera)
     ear = (
         generic.region("ear_right")
         if sight.cosine[generic.region("ear_right")].mean() > 0

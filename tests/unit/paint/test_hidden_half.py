@@ -8,7 +8,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import mirrored_share
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import look
+from cloner.geometry.cameras.seeing import visibility
 from cloner.paint.lookups.sources import Source, mirror_hidden
 from cloner.records.views import Camera
 
@@ -19,7 +19,7 @@ def test_the_hidden_half_takes_the_other_half_s_pixels() -> None:
     points = GENERIC.vertices_m.astype(np.float64)
     to_camera = np.diag([1.0, -1.0, -1.0, 1.0])
     to_camera[:3, 3] = 0.0, 1.6, 2.0
-    sight = look(points, body_triangles(), Camera(600, 600, 1500.0, to_camera))
+    sight = visibility(points, body_triangles(), Camera(600, 600, 1500.0, to_camera))
     face = GENERIC.region("face")
     left = points[:, 0] > 0.005
     score = np.where(face & ~left, 0.8, 0.0)
@@ -44,7 +44,7 @@ def test_a_turned_head_s_far_cheek_and_ear_are_the_near_ones() -> None:
         [np.cos(turn), 0.0, np.sin(turn)], [0.0, 1.0, 0.0], [-np.sin(turn), 0.0, np.cos(turn)]
     ]  # fmt: skip
     to_camera[:3, 3] = 0.0, 1.6, 2.0
-    sight = look(points, body_triangles(), Camera(600, 600, 1500.0, to_camera))
+    sight = visibility(points, body_triangles(), Camera(600, 600, 1500.0, to_camera))
     head = GENERIC.region("face") | GENERIC.region("ear_left") | GENERIC.region("ear_right")
     score = np.where(head, np.clip(sight.cosine, 0.0, 1.0), 0.0)
     nothing = np.zeros((4, 4), np.float32)

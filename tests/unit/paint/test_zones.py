@@ -8,20 +8,20 @@ import pytest
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head
 from cloner.paint.lookups.zones import hair_kept, near_bare_head
-from cloner.vision.retouching.plates import Plate
+from cloner.vision.retouching.plates import MattedPhoto
 
 SIZE = 1000
 PX_PER_M = 500.0
 
 
-def side_plate(bare: np.ndarray) -> Plate:
+def side_plate(bare: np.ndarray) -> MattedPhoto:
     """Return a plate of which only the skin label counts."""
     nothing = np.zeros((SIZE, SIZE), bool)
     levels = np.zeros((SIZE, SIZE, 3), np.uint8)
     far = np.full((SIZE, SIZE), 100.0, np.float32)
     labels = bare.astype(np.uint8)
     grey = levels[..., 0]
-    return Plate(levels, levels, far, labels, nothing, bare, grey, None, nothing, None, grey, nothing, 900.0)
+    return MattedPhoto(levels, levels, far, labels, nothing, bare, grey, None, nothing, None, grey, nothing, 900.0)
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.vision.segmentation.colours import BELIEF_EVEN, BELIEF_WIDE, LIMIT, colour_ratio, make_palette
+from cloner.vision.segmentation.colours import BELIEF_EVEN, BELIEF_WIDE, LIMIT, colour_ratio, quantise_colours
 
 SHAPE = (60, 90)
 RED, GREEN, GREY = (110, 190, 170), (140, 70, 170), (128, 128, 128)
@@ -15,7 +15,7 @@ def test_palette_parts_colours_and_joins_a_colour_with_its_noise() -> None:
     lab = np.full((*SHAPE, 3), GREY, np.uint8)
     lab[:30] = RED
     lab[0, 0] = np.array(RED) + [1, 0, 1]
-    palette = make_palette(lab, np.ones(SHAPE, dtype=bool))
+    palette = quantise_colours(lab, np.ones(SHAPE, dtype=bool))
     red, grey = palette.of_pixel[10, 10], palette.of_pixel[50, 10]
     assert red != grey
     assert palette.spread[red, grey] < 1e-6
@@ -29,7 +29,7 @@ def test_whole_photo_ratio_counted_by_hand() -> None:
     lab[40:50, :30] = GREEN  # 300 of the person's 1800 pixels are green
     person, behind = np.zeros(SHAPE, dtype=bool), np.zeros(SHAPE, dtype=bool)
     person[:, :30], behind[:, 30:] = True, True
-    wide, _ = colour_ratio(make_palette(lab, person | behind), person, behind, person | behind, window_px=9.0)
+    wide, _ = colour_ratio(quantise_colours(lab, person | behind), person, behind, person | behind, window_px=9.0)
     even = BELIEF_EVEN / 2
     on_person = (300 + even) / (1800 + BELIEF_EVEN)
     on_behind = (3600 + even) / (3600 + BELIEF_EVEN)
@@ -44,7 +44,7 @@ def test_window_knows_the_neighbourhood_and_leans_on_the_photo_where_it_has_seen
     person, behind = np.zeros(SHAPE, dtype=bool), np.zeros(SHAPE, dtype=bool)
     person[:, :44], behind[:, 46:] = True, True
     everywhere = np.ones(SHAPE, dtype=bool)
-    palette = make_palette(lab, everywhere)
+    palette = quantise_colours(lab, everywhere)
     wide, near = (part.reshape(SHAPE) for part in colour_ratio(palette, person, behind, everywhere, window_px=6.0))
     assert np.abs(wide).max() < 0.2
     assert near[5, 44] > 1.5
@@ -63,6 +63,6 @@ def test_two_colours_of_one_side_are_both_known() -> None:
     person, behind = np.zeros(SHAPE, dtype=bool), np.zeros(SHAPE, dtype=bool)
     person[:, :40], behind[:, 50:] = True, True
     everywhere = np.ones(SHAPE, dtype=bool)
-    _, near = colour_ratio(make_palette(lab, everywhere), person, behind, everywhere, window_px=8.0)
+    _, near = colour_ratio(quantise_colours(lab, everywhere), person, behind, everywhere, window_px=8.0)
     assert (near.reshape(SHAPE)[:, 40:45] > 1.0).all()
     assert (near.reshape(SHAPE)[:, 45:50] < -1.0).all()

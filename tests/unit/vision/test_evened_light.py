@@ -10,7 +10,7 @@ from cloner.vision.retouching.evening import (
     light_basis,
     log_levels,
     one_sided_light,
-    unclipped,
+    restore_clipped_hue,
 )
 from cloner.vision.retouching.plates import skin_shares
 from cloner.vision.retouching.skin_colour import SkinColour
@@ -81,7 +81,7 @@ def test_burnt_out_skin_is_as_pale_as_the_skin_beside_it():
 def test_burnt_out_skin_gets_its_hue_back_and_cloth_does_not():
     shares = (SKIN[0] / SKIN[1], SKIN[2] / SKIN[1])
     burnt = np.array([[255.0, 215.0, 180.0], [255.0, 255.0, 250.0], [255.0, 255.0, 250.0], [200.0, 150.0, 120.0]])
-    mended = unclipped(burnt, shares, np.array([1.0, 1.0, 0.0, 1.0]))
+    mended = restore_clipped_hue(burnt, shares, np.array([1.0, 1.0, 0.0, 1.0]))
     assert mended[0, 0] > 285.0
     assert mended[0, 2] == 180.0
     assert mended[1, 2] < 220.0

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.vision.photographs.gradients import lengths
+from cloner.vision.photographs.gradients import magnitudes
 
 
 def test_lengths_do_not_depend_on_the_place_in_memory() -> None:
@@ -14,7 +14,7 @@ def test_lengths_do_not_depend_on_the_place_in_memory() -> None:
         moved = [row[shift : shift + across.size].reshape(across.shape) for row in room]
         np.copyto(moved[0], across)
         np.copyto(moved[1], down)
-        found.append(lengths(*moved).tobytes())
+        found.append(magnitudes(*moved).tobytes())
     assert len(set(found)) == 1
     exact = np.hypot(across.astype(np.float64), down)
-    np.testing.assert_allclose(lengths(across, down), exact, rtol=2e-7)
+    np.testing.assert_allclose(magnitudes(across, down), exact, rtol=2e-7)

@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 
 from cloner.records.labels import Label
-from cloner.vision.retouching.line_match import Looked, Reach, line_pictures, match_lines
+from cloner.vision.retouching.line_match import MatchScales, SharedSamples, line_pictures, match_lines
 
 HEIGHT, WIDTH, PIXEL_M = 240, 160, 0.001
-REACH = Reach(blur_m=0.002, usual_m=0.008, most_m=0.020)
+REACH = MatchScales(blur_m=0.002, usual_m=0.008, most_m=0.020)
 INSIDE = np.ones((HEIGHT, WIDTH), bool)
 SKIN = np.full((HEIGHT, WIDTH), Label.BODY_SKIN, np.uint8)
 
@@ -27,7 +27,7 @@ def everywhere():
     """Return a grid of places that both photos are thought to show at the same pixel."""
     column, row = np.meshgrid(np.arange(4, WIDTH - 4, 2.0), np.arange(4, HEIGHT - 4, 2.0))
     places = np.column_stack([column.ravel(), row.ravel()])
-    return Looked(places, places, np.ones(len(places)))
+    return SharedSamples(places, places, np.ones(len(places)))
 
 
 def displaced(moved, fixed, labels=(SKIN, SKIN), reach=REACH):
@@ -63,5 +63,5 @@ def test_nothing_moves_where_nothing_is_drawn() -> None:
 
 
 def test_what_lies_farther_off_than_the_fit_can_be_wrong_is_left() -> None:
-    short = Reach(blur_m=0.002, usual_m=0.008, most_m=0.003)
+    short = MatchScales(blur_m=0.002, usual_m=0.008, most_m=0.003)
     assert np.linalg.norm(displaced(blotches((5.0, -3.0)), blotches(), reach=short), axis=1).max() < 3.0 + 1e-4

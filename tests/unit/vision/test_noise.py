@@ -8,7 +8,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
-from cloner.vision.photographs.noise import NOISY, noise_level, quieted
+from cloner.vision.photographs.noise import NOISY, denoised, noise_level
 
 
 def folds(noise: float) -> tuple[np.ndarray, np.ndarray]:
@@ -23,7 +23,7 @@ def folds(noise: float) -> tuple[np.ndarray, np.ndarray]:
 
 def cleaned(rgb: np.ndarray) -> np.ndarray:
     photos = PhotoSet({ViewId.FACE_FRONT: Photo(ViewId.FACE_FRONT, rgb, None, "", "a.jpg")})
-    return quieted(photos).photos[ViewId.FACE_FRONT].rgb
+    return denoised(photos).photos[ViewId.FACE_FRONT].rgb
 
 
 def test_noise_goes_and_a_seam_stays() -> None:

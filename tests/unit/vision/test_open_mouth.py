@@ -9,8 +9,8 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label
-from cloner.vision.retouching.open_mouth import INNER_LIPS, open_borders, own_edges
-from cloner.vision.retouching.plates import prepare_plate
+from cloner.vision.retouching.open_mouth import INNER_LIPS, lip_colour_edges, open_lip_borders
+from cloner.vision.retouching.plates import prepare_matted_photo
 
 
 def mouth(apart_px: float) -> np.ndarray:
@@ -24,22 +24,22 @@ def mouth(apart_px: float) -> np.ndarray:
 
 
 def test_a_shut_mouth_has_no_opening() -> None:
-    assert open_borders(mouth(6.0)) is None
-    borders = open_borders(mouth(20.0))
+    assert open_lip_borders(mouth(6.0)) is None
+    borders = open_lip_borders(mouth(20.0))
     assert borders is not None
     assert borders[:, 5, 1] == pytest.approx([90.0, 110.0])
-    assert own_edges(borders)[:, 5, 1] == pytest.approx([88.2, 111.8])
+    assert lip_colour_edges(borders)[:, 5, 1] == pytest.approx([88.2, 111.8])
 
 
 def test_what_shows_between_open_lips_paints_no_skin() -> None:
     labels = np.full((200, 200), Label.FACE_SKIN, np.uint8)
     labels[112:114, 95:105] = Label.MOUTH
     rgb, mask = np.full((200, 200, 3), 128, np.uint8), np.ones((200, 200), bool)
-    opened = prepare_plate(rgb, mask, labels, mouth(20.0), None, None).openings
+    opened = prepare_matted_photo(rgb, mask, labels, mouth(20.0), None, None).openings
     assert opened[100, 100], "by the net"
     assert opened[113, 100], "by the labels"
     assert not opened[120, 100]
-    shut = prepare_plate(rgb, mask, labels, mouth(2.0), None, None)
+    shut = prepare_matted_photo(rgb, mask, labels, mouth(2.0), None, None)
     assert shut.lips_px is None
     assert not shut.openings[90:, :].any(), "the dark line between closed lips is theirs"
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.vision.segmentation.outline_walk import apex, extreme, figure_of, gap_between, gap_top, walk_strip
+from cloner.vision.segmentation.outline_walk import extreme, gap_apex, gap_between, gap_top, soft_mask, walk_strip
 
 
 def drawn(height=200, width=120):
@@ -25,7 +25,7 @@ def post(left, right, top=20, bottom=180):
 
 @pytest.mark.parametrize(("left", "right"), [(40.0, 80.0), (40.25, 80.7), (39.6, 81.5)])
 def test_borders_are_found_between_pixels(left, right):
-    figure = figure_of(post(left, right))
+    figure = soft_mask(post(left, right))
     rows = np.arange(40.0, 160.0)
     centres = np.stack([np.full(len(rows), 55.0), rows], axis=1)
     strip = walk_strip(figure, centres, np.tile([1.0, 0.0], (len(rows), 1)), 60.0)
@@ -34,7 +34,7 @@ def test_borders_are_found_between_pixels(left, right):
 
 
 def test_an_axis_beside_the_person_finds_no_border():
-    figure = figure_of(post(40.0, 80.0))
+    figure = soft_mask(post(40.0, 80.0))
     strip = walk_strip(
         figure, np.array([[20.0, 100.0], [38.0, 100.0]]), np.tile([1.0, 0.0], (2, 1)), 70.0, slack_px=5.0
     )
@@ -43,13 +43,13 @@ def test_an_axis_beside_the_person_finds_no_border():
 
 
 def test_borders_that_cut_the_person_are_named():
-    assert figure_of(post(40.0, 80.0)).cut == ()
-    assert figure_of(post(40.0, 80.0, bottom=200)).cut == ("bottom",)
-    assert figure_of(post(-5.0, 80.0, top=0)).cut == ("top", "left")
+    assert soft_mask(post(40.0, 80.0)).cut == ()
+    assert soft_mask(post(40.0, 80.0, bottom=200)).cut == ("bottom",)
+    assert soft_mask(post(-5.0, 80.0, top=0)).cut == ("top", "left")
 
 
 def test_nobody_has_no_figure():
-    assert figure_of(np.zeros((50, 50), np.uint8)) is None
+    assert soft_mask(np.zeros((50, 50), np.uint8)) is None
 
 
 def test_the_gap_between_two_legs_opens_at_its_apex():
@@ -59,7 +59,7 @@ def test_the_gap_between_two_legs_opens_at_its_apex():
         half = (row - 89.5) / 6.0
         columns = np.arange(120.0)
         picture[row] *= 1.0 - np.clip(half + 0.5 - np.abs(columns - 60.0), 0.0, 1.0)
-    figure = figure_of(as_mask(picture))
+    figure = soft_mask(as_mask(picture))
     rows = np.arange(30.0, 170.0)
     left, right = (np.stack([np.full(len(rows), column), rows], axis=1) for column in (40.0, 80.0))
     gap = gap_between(figure, left, right)
@@ -67,7 +67,7 @@ def test_the_gap_between_two_legs_opens_at_its_apex():
     assert rows[top] == pytest.approx(92.0, abs=3.0)
     assert (gap[:50] == 0.0).all()
     assert gap[-1] == pytest.approx(2 * (rows[-1] - 89.5) / 6.0, abs=1.5)
-    assert apex(figure, left[top], right[top]) == pytest.approx([60.0, 92.0], abs=3.0)
+    assert gap_apex(figure, left[top], right[top]) == pytest.approx([60.0, 92.0], abs=3.0)
 
 
 def test_a_gap_that_closes_again_is_none():

@@ -5,7 +5,7 @@ import pytest
 
 from cloner.vision.retouching.aligning import outline_shift, shift_points
 from cloner.vision.retouching.evening import LEVEL_OFFSET, apply_light, common_balance, even_light, light_basis
-from cloner.vision.retouching.repair import own_pixels, repair_bleeding, signed_distance
+from cloner.vision.retouching.repair import remove_background_coloured, repair_bleeding, signed_distance
 
 
 def _disc(centre, radius, size=200):
@@ -91,7 +91,7 @@ def test_a_wall_shining_through_strands_is_not_hair():
     mask = np.zeros((120, 120), bool)
     mask[10:110, 30:90] = True
     mask[40:60, 90:93] = True  # labels a little too far out
-    own = own_pixels(photo, mask, 6.0)
+    own = remove_background_coloured(photo, mask, 6.0)
     assert not own[25:95, 84:86].any()
     assert not own[42:58, 90:93].any()
     assert own[15:105, 34:80].all()

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.vision.contours.snake import Curve, SnakeParams, find_edges, normals, pull, snake_picture
+from cloner.vision.contours.snake import Curve, SnakeParams, find_edges, normals, run_snake, snake_picture
 
 
 def disc(radius: float, centre: tuple[float, float] = (100.3, 99.6), noise: float = 2.0) -> np.ndarray:
@@ -30,7 +30,7 @@ def radii(points: np.ndarray, centre: tuple[float, float] = (100.3, 99.6)) -> np
 @pytest.mark.parametrize("start", [44.0, 46.0, 54.0, 57.0])
 def test_a_ring_finds_the_edge_to_a_tenth_of_a_pixel(start):
     curve = Curve(ring(start), True, np.zeros(48), "any")
-    found, trust = pull(disc(50.0), curve, SnakeParams(reach_px=10.0, spring=0.05, turns=8))
+    found, trust = run_snake(disc(50.0), curve, SnakeParams(reach_px=10.0, spring=0.05, turns=8))
     assert np.median(np.abs(radii(found) - 50.0)) < 0.12
     assert trust.mean() > 0.8
 
@@ -52,7 +52,7 @@ def test_a_dark_line_is_found_in_its_middle():
     picture[33:36] = 40.0
     picture = cv2.GaussianBlur(picture, (0, 0), 1.2)[..., None]
     line = np.stack([np.linspace(10, 50, 9), np.full(9, 30.0)], axis=1)
-    found, _ = pull(picture, Curve(line, False, np.zeros(9), "line"), SnakeParams(reach_px=8.0, spring=0.5))
+    found, _ = run_snake(picture, Curve(line, False, np.zeros(9), "line"), SnakeParams(reach_px=8.0, spring=0.5))
     assert found[:, 1] == pytest.approx(np.full(9, 34.0), abs=0.35)
 
 
@@ -61,7 +61,9 @@ def test_structure_bridges_what_has_no_edge():
     picture = disc(50.0)
     picture[:100] = 60.0
     start = ring(45.0)
-    free, _ = pull(picture, Curve(start, True, np.zeros(48), "any"), SnakeParams(reach_px=8.0, spring=1.5, turns=8))
+    free, _ = run_snake(
+        picture, Curve(start, True, np.zeros(48), "any"), SnakeParams(reach_px=8.0, spring=1.5, turns=8)
+    )
     below = start[:, 1] > 110.0
     assert np.median(np.abs(radii(free)[below] - 50.0)) < 0.8
     shape = np.linalg.norm(np.diff(free, axis=0), axis=1) / np.linalg.norm(np.diff(start, axis=0), axis=1)
@@ -72,12 +74,12 @@ def test_structure_bridges_what_has_no_edge():
 def test_nothing_is_pulled_over_an_even_picture_and_anchors_hold():
     even = np.full((200, 200, 3), 90.0, np.float32)
     start = ring(45.0)
-    still, trust = pull(even, Curve(start, True, np.zeros(48), "any"), SnakeParams(reach_px=8.0))
+    still, trust = run_snake(even, Curve(start, True, np.zeros(48), "any"), SnakeParams(reach_px=8.0))
     assert np.abs(still - start).max() < 1e-6
     assert trust.max() < 1e-6
     anchors = np.zeros(48)
     anchors[0] = 1000.0
-    held, _ = pull(disc(50.0), Curve(start, True, anchors, "any"), SnakeParams(reach_px=8.0))
+    held, _ = run_snake(disc(50.0), Curve(start, True, anchors, "any"), SnakeParams(reach_px=8.0))
     assert np.linalg.norm(held[0] - start[0]) < 0.05
     assert abs(radii(held)[24] - 50.0) < 1.0
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.vision.retouching.repair import without_room
-from cloner.vision.retouching.strangers import own_colours
+from cloner.vision.retouching.repair import remove_outside_body
+from cloner.vision.retouching.strangers import colours_by_height
 
 WALL, CLOTH, SHIRT = (20, 130, 130), (70, 90, 80), (150, 140, 160)
 
@@ -28,7 +28,7 @@ def test_a_piece_of_wall_beside_the_hip_leaves_the_mask_and_a_stripe_of_the_pers
     taken = true.copy()
     cv2.ellipse(wrong := taken.astype(np.uint8), (262, 600), (10, 40), 0, 0, 360, 1, -1)
     taken = wrong > 0
-    found = own_colours([(photo, taken)]).without_room(photo, taken)
+    found = colours_by_height([(photo, taken)]).without_room(photo, taken)
     assert (found & ~true).sum() < 0.25 * (taken & ~true).sum()
     assert (true & ~found).sum() < 0.002 * true.sum()
     assert found[300:420, 252:258].all()
@@ -36,7 +36,7 @@ def test_a_piece_of_wall_beside_the_hip_leaves_the_mask_and_a_stripe_of_the_pers
 
 def test_a_mask_without_any_wall_stays_as_it_is():
     photo, true = _figure()
-    own = own_colours([(photo, true)])
+    own = colours_by_height([(photo, true)])
     assert (own.without_room(photo, true) == true).mean() > 0.9999
     assert np.array_equal(own.without_room(photo, np.zeros_like(true)), np.zeros_like(true))
 
@@ -48,7 +48,7 @@ def test_a_box_beside_an_arm_goes_down_to_the_arm_and_what_a_fit_errs_by_stays()
     mask[40:860, 134:266] = True  # three of the body's pixels wider than it
     box = mask.copy()
     box[400:500, 260:330] = True
-    found = without_room(box, body, 5.0)
+    found = remove_outside_body(box, body, 5.0)
     assert not found[405:495, 262:].any()
     assert found[:360].sum() == mask[:360].sum()
-    assert np.array_equal(without_room(mask, body, 5.0), mask)
+    assert np.array_equal(remove_outside_body(mask, body, 5.0), mask)

@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from cloner.vision.contours.fixed_points import bend_through
 from cloner.vision.contours.outlines import extract_outline
-from cloner.vision.contours.stretches import link_stretch, make_linkable
+from cloner.vision.contours.stretches import prepare_linking, relink_stretch
 from kit.drawn import AXES, CENTRE, SKIN, WALL, draw, ellipse, photograph, rough_mask, with_noise
 
 Floats = NDArray[np.float64]
@@ -23,10 +23,10 @@ def on_ellipse(degrees: float, *, out_px: float = 0.0) -> Floats:
 @pytest.mark.parametrize("out_px", [-12.0, 0.5, 9.0, 25.0])
 def test_the_outline_passes_through_the_point_and_stays_elsewhere(out_px: float) -> None:
     photo, mask = photograph(), rough_mask()
-    ready, standing = make_linkable(photo, mask), extract_outline(photo, mask).loops[0].polygon
+    ready, standing = prepare_linking(photo, mask), extract_outline(photo, mask).loops[0].polygon
     assert ready is not None
     target, before = on_ellipse(60.0, out_px=out_px), standing.copy()
-    (moved,) = link_stretch(ready, (standing,), target[None], target)
+    (moved,) = relink_stretch(ready, (standing,), target[None], target)
     assert cKDTree(moved).query(target)[0] < 0.1
     far = np.linalg.norm(standing - target, axis=1) > 4.0 * abs(out_px) + 60.0
     assert cKDTree(moved).query(standing[far])[0].max() < 0.5, "elsewhere nothing moves"
@@ -43,11 +43,11 @@ def test_placed_points_lead_the_linking_to_the_edge_between_them() -> None:
     photo = with_noise(draw(draw(wall, bag, (230, 220, 60)), ellipse(), SKIN), 2.0, 4)
     bagged = draw(np.zeros((600, 400, 3), np.uint8), bag, (1, 1, 1))[..., 0]
     mask = np.maximum(rough_mask(shift=0.0, blur=2.0), bagged).astype(np.float32)
-    ready, first = make_linkable(photo, mask), extract_outline(photo, mask).loops[0].polygon
+    ready, first = prepare_linking(photo, mask), extract_outline(photo, mask).loops[0].polygon
     assert ready is not None
     outline, placed = (first,), np.array([on_ellipse(degrees) for degrees in (-10.0, 0.0, 10.0)])
     for count in range(1, 4):
-        outline = link_stretch(ready, outline, placed[:count], placed[count - 1])
+        outline = relink_stretch(ready, outline, placed[:count], placed[count - 1])
 
     def error(polygon: Floats) -> float:
         angle = np.rad2deg(np.arctan2(*((polygon - CENTRE) / AXES).T[::-1]))
@@ -59,4 +59,4 @@ def test_placed_points_lead_the_linking_to_the_edge_between_them() -> None:
 
 
 def test_a_photo_without_a_person_cannot_be_linked() -> None:
-    assert make_linkable(photograph(), np.zeros((600, 400), np.float32)) is None
+    assert prepare_linking(photograph(), np.zeros((600, 400), np.float32)) is None
