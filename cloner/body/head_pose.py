@@ -23,7 +23,7 @@ from cloner.calibration.loader import calibrated
 from cloner.fit.evidence import Residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId
-from cloner.hair.volumes.agreement import HairField, agreement
+from cloner.hair.volumes.agreement import HairField, hairline_residuals
 from cloner.head.skin_matches import SkinMatches
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
@@ -84,7 +84,7 @@ def fit_head_poses(
         for view in photos:
             sight = first[view] if iteration == 0 else seen(view, values[view])
             yield Residuals((view, "hair"), *sight.linear(values[view], values["hair"]))
-        yield from agreement(mesh, lines, turning, {view: values[view] for view in lines})
+        yield from hairline_residuals(mesh, lines, turning, {view: values[view] for view in lines})
 
     usual = {view: np.deg2rad(_prior_angles_deg(view, params)) for view in photos}
     blocks = {

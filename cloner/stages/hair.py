@@ -19,30 +19,30 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.clothing.coverings import with_whole_coverings
-from cloner.hair.clothing.hoods import without_hoods
+from cloner.hair.clothing.coverings import merge_covering_labels
+from cloner.hair.clothing.hoods import relabel_single_hoods
 from cloner.hair.clothing.loose_clothes import SAID, loose_shells
-from cloner.hair.clothing.peaks import find_peak, peak_mesh, under_headwear, worn_views
+from cloner.hair.clothing.peaks import find_peak, headwear_views, peak_mesh, under_headwear
 from cloner.hair.clothing.scarves import scarf_shell
 from cloner.hair.shells.beard import beard_shell
-from cloner.hair.shells.mattes import mattes_of, rim_of, with_cores
-from cloner.hair.shells.mesh import lowest_m, mesh_of
-from cloner.hair.shells.rim_cards import crown_of, rim_shell
-from cloner.hair.shells.rim_strips import strips_of
-from cloner.hair.shells.shell import dress_shell, shown_part
-from cloner.hair.volumes.amounts import odd_views
+from cloner.hair.shells.mattes import hair_rim_mm, make_mattes, reduce_to_cores
+from cloner.hair.shells.mesh import extract_mesh, lowest_hair_m
+from cloner.hair.shells.rim_cards import crown_centre, rim_shell
+from cloner.hair.shells.rim_strips import make_strips
+from cloner.hair.shells.shell import dress_shell, visible_part
+from cloner.hair.volumes.amounts import inconsistent_views
 from cloner.hair.volumes.cap import VOTE_MM, Scalp, measure_scalp
-from cloner.hair.volumes.crowns import with_one_crown
-from cloner.hair.volumes.ears import with_ears_laid
-from cloner.hair.volumes.lost import with_lost_hair
+from cloner.hair.volumes.crowns import align_crowns
+from cloner.hair.volumes.ears import press_ears
+from cloner.hair.volumes.lost import restore_lost_hair
 from cloner.hair.volumes.settled import settle_shell
 from cloner.hair.volumes.tail import find_tail
-from cloner.hair.volumes.views import HairView, Hanger, hair_views
+from cloner.hair.volumes.views import HairSkinning, HairView, hair_views
 from cloner.hair.volumes.volume import FILM_MM, hair_field
 from cloner.hair.volumes.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.details.glasses import glasses_shell
-from cloner.paint.lookups.posed import pose
+from cloner.paint.lookups.posed import posed_vertices
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -100,8 +100,8 @@ def run(
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     neck = joined.vertices_m[generic.region("neck")]
     neck_m = np.array([neck[:, 0].mean(), neck[:, 1].min(), neck[:, 2].mean()])
-    views = with_whole_coverings(views, photos.photos, proposals, *scalp, neck_m)
-    views = with_lost_hair(views, photos.photos, head_middle(generic, joined))
+    views = merge_covering_labels(views, photos.photos, proposals, *scalp, neck_m)
+    views = restore_lost_hair(views, photos.photos, head_middle(generic, joined))
     alike, odd = consistent_views(generic, joined, views)
     hair = grow_hair(photos, proposals, alike, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
@@ -116,7 +116,7 @@ def consistent_views(
     generic: GenericHuman, joined: Joined, views: list[HairView]
 ) -> tuple[list[HairView], tuple[str, ...]]:
     """Return the views without photos whose hair disagrees with the others, and a sentence for each of those."""
-    odd = odd_views(views, head_middle(generic, joined))
+    odd = inconsistent_views(views, head_middle(generic, joined))
     said = tuple(
         f"{view}: the hair is {share:.1f} times as large here as in the other photos, so this photo's was not used; "
         "take it again before a wall that looks unlike the hair"
@@ -152,10 +152,10 @@ def grow_hair(
     generic = load_generic()
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
-    joined, views = with_ears_laid(generic, joined, views)
+    joined, views = press_ears(generic, joined, views)
     body, on_scalp = body_triangles(), generic.region("scalp")
     normals = vertex_normals(joined.vertices_m, body)
-    views = without_hoods(views, joined.vertices_m, normals, body[on_scalp[body].all(axis=1)])
+    views = relabel_single_hoods(views, joined.vertices_m, normals, body[on_scalp[body].all(axis=1)])
     tick(0.2)
     scalp = scan_scalp(generic, joined, views)
     rows = on_scalp[head_rows(generic)]
@@ -169,19 +169,19 @@ def grow_hair(
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
-    mattes = mattes_of(photos.photos, views, scalp.points_m)
-    reach_mm = rim_of(mattes.values())
-    fitted = views if reach_mm is None else with_cores(views, mattes)
+    mattes = make_mattes(photos.photos, views, scalp.points_m)
+    reach_mm = hair_rim_mm(mattes.values())
+    fitted = views if reach_mm is None else reduce_to_cores(views, mattes)
     settled = settle_shell(fitted, skin, *mesh, FILM_MM)
-    used, triangles, inside_mm = shown_part(views, settled, mesh[1], scalp)
+    used, triangles, inside_mm = visible_part(views, settled, mesh[1], scalp)
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     vertices = settled[used]
     surface = add_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
-    hats = worn_views(views, proposals) if peaked.any() or reach_mm is not None else []
+    hats = headwear_views(views, proposals) if peaked.any() or reach_mm is not None else []
     worn = (peaked, hats) if peaked.any() else None
-    hung = Hanger.of(generic, joined).weights(surface[0])
+    hung = HairSkinning.of(generic, joined).weights(surface[0])
     strands = 1.0 if all(view.posed.view.is_front for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])
     shell = dress_shell(
@@ -189,9 +189,9 @@ def grow_hair(
     )
     cards = None
     if reach_mm is not None:
-        bodies = {view.posed.view: pose(generic, joined, view.posed) for view in views}
+        bodies = {view.posed.view: posed_vertices(generic, joined, view.posed) for view in views}
         grown, bare = (vertices, triangles), under_headwear(hats, vertices)
-        strips = strips_of(grown, body, bodies, views, mattes, reach_mm, crown_of(vertices))
+        strips = make_strips(grown, body, bodies, views, mattes, reach_mm, crown_centre(vertices))
         cards = rim_shell(shell, grown, (joined.vertices_m, body), strips, reach_mm, bare)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
@@ -264,7 +264,7 @@ def tucked_skin(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Ar
 def with_common_height(generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp) -> list[HairView]:
     """Return the views with one height of hair over the ears."""
     ears = generic.region("ear_left") | generic.region("ear_right")
-    return with_one_crown(views, scalp.points_m, float(joined.vertices_m[ears, 1].mean()))
+    return align_crowns(views, scalp.points_m, float(joined.vertices_m[ears, 1].mean()))
 
 
 def hair_mesh(
@@ -281,11 +281,11 @@ def hair_mesh(
     """
     reach = np.array([params.margin_m, 0.0, params.margin_m])
     low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
-    low[1] = min(low[1], lowest_m(views) - params.margin_m)
+    low[1] = min(low[1], lowest_hair_m(views) - params.margin_m)
     ear = generic.region("ear_left") | generic.region("ear_right")
     level = float(joined.vertices_m[ear, 1].mean())
     # Ears are folds: by the planes of their skin the hair above them would lie in the head, which left a hole.
     smooth = ~ear[generic.vertex_part == generic.part_names.index("body")]
     body = skin[0][smooth], skin[1][smooth]
     field, skin_mm = hair_field(views, scalp, body, low, high, median_plane_x(generic, joined), level)
-    return mesh_of(field, skin_mm, low, params.triangles, params.smallest_piece)
+    return extract_mesh(field, skin_mm, low, params.triangles, params.smallest_piece)

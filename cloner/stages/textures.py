@@ -24,26 +24,26 @@ from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.charts.iris import sclera_to_skin, skin_around_eyes
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.memory import give_back
-from cloner.paint.composing.baked import Baked, unpainted
-from cloner.paint.composing.compose import bake, blend_levels, share_surface
-from cloner.paint.composing.shell_light import in_light_of_body
+from cloner.paint.composing.baked import AtlasInProgress, unpainted_atlas
+from cloner.paint.composing.compose import bake, blend_levels, blend_shares
+from cloner.paint.composing.shell_light import match_light_of_body
 from cloner.paint.composing.tiles import Tile, cut_tiles
 from cloner.paint.details.hands import finish_hands, finish_soles
 from cloner.paint.details.lid_skin import clean_lids
 from cloner.paint.details.nostrils import darken_nostrils
 from cloner.paint.details.parts import face_rgb, paint_parts
 from cloner.paint.details.tucking import tuck_scalp
-from cloner.paint.details.unseen_clothes import clothe_beyond, dress_unseen, near_sight, only_faces
-from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
+from cloner.paint.details.unseen_clothes import dress_unseen, extend_clothes, nearness_to_seen, shows_faces_only
+from cloner.paint.lookups.doubted import reject_grazing, reject_slanted, reject_wrong_parts
 from cloner.paint.lookups.evened import (
     compare_photos,
-    even_photos,
-    evened_colours,
     fill_surface,
-    level_photos,
+    match_borders,
+    normalise_photos,
+    normalised_colours,
     vertex_colours,
 )
-from cloner.paint.lookups.feature_lines import meet_lines
+from cloner.paint.lookups.feature_lines import align_feature_lines
 from cloner.paint.lookups.materials import Materials, find_materials, with_surroundings
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, gather_sources
@@ -108,7 +108,7 @@ def run(
         generic, photos, proposals, silhouettes, joined, hiding, params, tick
     )
     warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)
-    baked = baked or unpainted(generic, params.size)
+    baked = baked or unpainted_atlas(generic, params.size)
     seen, charts = int(baked.seen.sum()), int(baked.covered.sum())
     residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
     parts = parts_atlas(generic, params.size)
@@ -118,7 +118,7 @@ def run(
     baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
     atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
     tick(1.0)
-    lit = (in_light_of_body(s, joined.vertices_m, worn_rgb, surfaces) if s.kind == "cloth" else s for s in shells)
+    lit = (match_light_of_body(s, joined.vertices_m, worn_rgb, surfaces) if s.kind == "cloth" else s for s in shells)
     painted = assemble(joined, tuple(lit), atlas)
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
 
@@ -169,7 +169,7 @@ def paint_atlas(
     shells: tuple[Shell, ...],
     params: Params,
     tick: Callable[[float], None],
-) -> tuple[Baked | None, Array, Array, list[Residual]]:
+) -> tuple[AtlasInProgress | None, Array, Array, list[Residual]]:
     """Return the atlas painted with the photos, None where no photo shows the body.
 
     Returned beside it: (V, 6) shares of ``SURFACES`` that the photos show, (V, 3) levels of what is worn, and the
@@ -210,26 +210,26 @@ def prepare_sources(
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
     if not sources:
         return None, residuals
-    sources = meet_lines(generic, sources)
+    sources = align_feature_lines(generic, sources)
     tick(0.4)
     graph = person_graph(generic, joined.vertices_m)
     normals = vertex_normals(joined.vertices_m, body_triangles())
     colours = vertex_colours(sources)
     kinds = find_materials(generic, sources, graph)
-    if only_faces(sources):
+    if shows_faces_only(sources):
         kinds = dress_unseen(generic, sources, kinds, joined.vertices_m, graph)
-    sources = doubt_strangers(generic, sources, kinds)
+    sources = reject_wrong_parts(generic, sources, kinds)
     kinds = with_surroundings(sources, colours, kinds, graph)
-    sources = doubt_grazing(generic, sources, colours, kinds)
-    light = even_photos(generic, sources, colours, normals, kinds, graph)
-    sources = doubt_slanted(generic, sources, evened_colours(colours, light), graph)
-    light = level_photos(generic, sources, colours, light, kinds, graph)
+    sources = reject_grazing(generic, sources, colours, kinds)
+    light = normalise_photos(generic, sources, colours, normals, kinds, graph)
+    sources = reject_slanted(generic, sources, normalised_colours(colours, light), graph)
+    light = match_borders(generic, sources, colours, light, kinds, graph)
     residuals += compare_photos(sources, colours, light)
-    base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
-    if only_faces(sources):
-        base = clothe_beyond(generic, sources, base, kinds, joined.vertices_m, graph)
-        kinds = replace(kinds, surfaces=kinds.surfaces * near_sight(sources, graph)[:, None])
-    shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
+    base = fill_surface(generic, sources, normalised_colours(colours, light), kinds, graph)
+    if shows_faces_only(sources):
+        base = extend_clothes(generic, sources, base, kinds, joined.vertices_m, graph)
+        kinds = replace(kinds, surfaces=kinds.surfaces * nearness_to_seen(sources, graph)[:, None])
+    shares = blend_shares(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
     return PaintSources(sources, shares, light, base, kinds), residuals
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
-from cloner.paint.details.parts import USUAL_IRIS_M, fit_ball
+from cloner.paint.details.parts import USUAL_IRIS_M, fit_sphere
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
@@ -36,7 +36,7 @@ def carved_eyes(generic: GenericHuman, clone: Clone) -> Clone:
     scale = np.ones(len(vertices))
     for side in SIDES:
         rows = generic.part(f"eye_{side}")
-        centre, radius = fit_ball(vertices[rows])
+        centre, radius = fit_sphere(vertices[rows])
         scale[rows] = 1.0 - _depth(_from_iris(vertices[rows] - centre, radius))
         lashes = generic.part(f"lashes_{side}")
         scale[lashes] = SHRUNK
@@ -58,7 +58,7 @@ def eye_light(generic: GenericHuman, vertices_m: Array, side: str, places_m: Arr
     side : str
     places_m : (N, 3)
     """
-    centre, radius = fit_ball(vertices_m[generic.part(f"eye_{side}")])
+    centre, radius = fit_sphere(vertices_m[generic.part(f"eye_{side}")])
     spokes = places_m - centre
     away = _from_iris(spokes, radius)
     soft = np.clip((away - PUPIL) / 0.08 + 0.5, 0.0, 1.0)

@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.shells.beard import beard_rows, contradicted
+from cloner.hair.shells.beard import beard_rows, is_contradicted
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -110,5 +110,5 @@ def test_a_beard_that_one_face_photo_alone_shows_is_a_shadow(front, side, expect
         return replace(studio.empty_proposal(view, labels > 0), labels=labels)
 
     shown = {view: proposal(view, share) for view, share in (("face_front", front), ("face_side", side))}
-    assert contradicted(Proposals(shown)) == expected
-    assert not contradicted(Proposals({"face_front": shown["face_front"]}))
+    assert is_contradicted(Proposals(shown)) == expected
+    assert not is_contradicted(Proposals({"face_front": shown["face_front"]}))

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.paint.details.tucking import ear_masks, lay_ears, tuck_scalp, whole_ears
+from cloner.paint.details.tucking import covered_ear_shares, ear_masks, press_ears_to_head, tuck_scalp
 from cloner.records.labels import Label
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -197,7 +197,7 @@ def test_ears_under_a_bob_are_pressed_flat_and_bare_ears_stay():
     left, right = ear_masks(generic)
     covered = np.zeros(len(person.vertices_m))
     covered[left] = 1.0
-    laid = lay_ears(generic, person.vertices_m, covered)
+    laid = press_ears_to_head(generic, person.vertices_m, covered)
     rest = ~left
     assert np.array_equal(laid[rest], person.vertices_m[rest])
     # an ear stands out by some 20 mm over the skin around it
@@ -205,7 +205,7 @@ def test_ears_under_a_bob_are_pressed_flat_and_bare_ears_stay():
     near = around[cKDTree(person.vertices_m[left]).query(around)[0] < 0.012, 0].max()
     assert person.vertices_m[left, 0].max() > near + 0.008
     assert laid[left, 0].max() < near + 0.002
-    assert lay_ears(generic, person.vertices_m, np.zeros_like(covered)) is person.vertices_m
+    assert press_ears_to_head(generic, person.vertices_m, np.zeros_like(covered)) is person.vertices_m
 
 
 def test_a_lock_before_an_ear_is_no_hair_over_it():
@@ -214,7 +214,7 @@ def test_a_lock_before_an_ear_is_no_hair_over_it():
     covered = np.zeros(len(left))
     covered[np.flatnonzero(left)[::5]] = 1.0
     covered[np.flatnonzero(right)[::2]] = 1.0
-    found = whole_ears(generic, covered)
+    found = covered_ear_shares(generic, covered)
     assert not found[left].any()
     assert np.array_equal(found[right], covered[right])
 

@@ -18,7 +18,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.geometry.outlines.contours import outline_field
 from cloner.hair.clothing import loose_clothes as loose
-from cloner.hair.clothing.loose_views import Hanging
+from cloner.hair.clothing.loose_views import LegSkinning
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.points import Proposals
@@ -216,7 +216,7 @@ def test_cloth_at_the_sides_hangs_from_its_own_thigh_and_the_waist_from_the_spin
     person = people.known_person(3, spread=0.6)
     generic = load_generic()
     fit = painted.joined(person, dict.fromkeys(painted.BODY, np.zeros((94, 3))))
-    hanging = Hanging.of(generic, fit)
+    hanging = LegSkinning.of(generic, fit)
     low = hanging.hip_m - 0.4
     points = np.array(
         [[0.25, low, 0.0], [-0.25, low, 0.0], [hanging.middle_m, low, 0.2], [0.0, hanging.levels_m[3], 0.1]]

@@ -8,7 +8,7 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.hair.clothing.scarves import scarf_shell, scarfed
+from cloner.hair.clothing.scarves import scarf_evidence, scarf_shell
 from cloner.hair.volumes.views import hair_views
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
@@ -103,6 +103,6 @@ def test_glasses_are_no_scarf(worn):
     front = views[0]
     column, row = front.posed.camera.project(front.to_view(eyes[None]))[0].astype(int)
     labels[row - 12 : row + 12, column - 40 : column + 40] = Label.ACCESSORY
-    assert scarfed(front, labels, chin) is None
+    assert scarf_evidence(front, labels, chin) is None
     labels[row + 60 : row + 64, column - 3 : column + 3] = Label.ACCESSORY  # a chain
-    assert scarfed(front, labels, chin) is None
+    assert scarf_evidence(front, labels, chin) is None

@@ -1,4 +1,4 @@
-"""What covers a head is one thing: headscarves, beanies and caps keep to one label, by their colour in each photo."""
+"""Consistent labels for head coverings: headscarves, beanies and caps keep one label, by their colour in each photo."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.clothing.hoods import HOOD, hood_on, seen_scalp
-from cloner.hair.volumes.pictures import distances_px, looks_like
+from cloner.hair.clothing.hoods import HOOD, hood_pixels, visible_scalp
+from cloner.hair.volumes.pictures import distances_px, similar_colours
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
@@ -37,7 +37,7 @@ ACCESSORY: Final = (Label.ACCESSORY,)
 BARE: Final = (Label.EYES, Label.MOUTH, Label.BEARD, Label.BACKGROUND)
 
 
-def with_whole_coverings(
+def merge_covering_labels(
     views: list[HairView],
     photos: Mapping[ViewId, Photo],
     proposals: Proposals,
@@ -46,7 +46,7 @@ def with_whole_coverings(
     triangles: NDArray[np.int32],
     neck_m: Array,
 ) -> list[HairView]:
-    """Return the evidence in which what covers a head is all hair's: its label changes within one piece of cloth.
+    """Return the views with all of a head covering as hair, where its label changes within one piece of cloth.
 
     Whether something is worn, all photos tell together. Where it ends, each photo tells by its colours: what is joined
     to the cloth on the scalp and looks as it does is the same cloth; a hood ends at the neck, and is clothes below.
@@ -61,7 +61,7 @@ def with_whole_coverings(
     """
     straight = [view for view in views if view.flip_m is None]
     labels = {view.posed.view: proposals.views[view.posed.view].labels for view in straight}
-    places = {view.posed.view: seen_scalp(view, scalp_m, normals, triangles) for view in straight}
+    places = {view.posed.view: visible_scalp(view, scalp_m, normals, triangles) for view in straight}
     worn, clothed, hairy = (
         sum(int(np.count_nonzero(shows(labels[view], *kinds) & place)) for view, place in places.items())
         for kinds in (ACCESSORY, CLOTHES, (Label.HAIR,))
@@ -73,9 +73,9 @@ def with_whole_coverings(
         return views
     if hood:
         rows = {one.posed.view: one.posed.camera.project(one.to_view(neck_m[None]))[0, 1] for one in straight}
-        cloth = {view: hood_on(labels[view], place, rows[view]) for view, place in places.items()}
+        cloth = {view: hood_pixels(labels[view], place, rows[view]) for view, place in places.items()}
     else:
-        cloth = {view: covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
+        cloth = {view: head_covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
     found = []
     for view in views:
         own = cloth[view.posed.view] & ~view.hair
@@ -90,7 +90,7 @@ def with_whole_coverings(
 
 
 def is_hood(labels: Mapping[ViewId, NDArray[np.uint8]], scalp: Mapping[ViewId, Bools]) -> bool:
-    """Return whether what covers a scalp is clothes to most of the photos, and nothing worn on the head alone.
+    """Return whether most photos label what covers the scalp as clothes, and none as headwear.
 
     Each photo counts alike: one that takes a hood for a scarf is outvoted, however large it shows the head.
 
@@ -107,8 +107,8 @@ def is_hood(labels: Mapping[ViewId, NDArray[np.uint8]], scalp: Mapping[ViewId, B
     return lean > 0.0
 
 
-def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) -> Bools:
-    """Return (H, W) the cloth that covers a head: what looks as it does on the scalp and is joined to it.
+def head_covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) -> Bools:
+    """Return the pixels (H, W) of the cloth that covers a head: connected to the scalp and of the same colour.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) ->
         seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES, Label.HAIR)
     if not seed.any():
         return cloth
-    alike = looks_like(rgb[box], seed, BLUR_SHARE * height)
+    alike = similar_colours(rgb[box], seed, BLUR_SHARE * height)
     # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
     crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + height // 2
     # and where hair may be hair, clothes and necks of its colour are no cloth that hangs from the head

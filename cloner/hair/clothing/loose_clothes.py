@@ -1,4 +1,4 @@
-"""Loose clothing as surfaces of its own: what hangs around the legs is no leg.
+"""Loose clothing around the legs as a surface of its own.
 
 A step of the hair stage, which makes all shells. The body below stays the one that
 pose, phenotype and the visible parts of the legs give.
@@ -17,7 +17,7 @@ from cloner.generic.seen_points import stance
 from cloner.geometry.charts.atlas import map_atlas
 from cloner.geometry.charts.tubes import tube_mesh
 from cloner.hair.clothing.loose_shape import COLUMNS, loose_tube
-from cloner.hair.clothing.loose_views import Hanging, LooseView, loose_views
+from cloner.hair.clothing.loose_views import LegSkinning, LooseView, loose_views
 from cloner.hair.shells.shell_paint import ShellView, paint_shell
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -57,7 +57,7 @@ def loose_shells(
     silhouettes: SilhouetteSet,
     params: Params | None = None,
 ) -> tuple[Shell, ...]:
-    """Return one shell for cloth around the legs, none where no photo shows any."""
+    """Return a shell for the cloth around the legs, none where no photo shows any."""
     params = params or Params()
     regions = {
         view: region
@@ -65,7 +65,7 @@ def loose_shells(
         for region in silhouette.loose
         if region.name == AROUND_LEGS
     }
-    views = loose_views(generic, joined, regions, Hanging.of(generic, joined))
+    views = loose_views(generic, joined, regions, LegSkinning.of(generic, joined))
     if all(view.posed.view is ViewId.BODY_SIDE for view in views):
         return ()
     points = loose_tube(generic, joined, views)
@@ -81,7 +81,7 @@ def loose_shells(
 
 
 def shell_views(views: list[LooseView], proposals: Proposals, silhouettes: SilhouetteSet) -> list[ShellView]:
-    """Return the photos with the pixels that show cloth and no arm; the side photo also for the other side."""
+    """Return the photos with their pixels of cloth without arms; the side photo also mirrored."""
     found = []
     for view in views:
         name, proposal = view.posed.view, proposals.views[view.posed.view]

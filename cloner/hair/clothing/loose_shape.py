@@ -1,4 +1,4 @@
-"""Loose clothing as a tube around trunk and legs: the hull of its outlines, carried back to the rest pose."""
+"""Shape of loose clothing: a tube around trunk and legs, the hull of its outlines in rest pose."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angle
 
 
 def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array:
-    """Return (COLUMNS,) rest heights of the hem from where the photos' edges end and where it hangs lowest in them.
+    """Return the rest heights (COLUMNS,) of the hem, from its ends at the edges and its lowest point in the photos.
 
     Parameters
     ----------
@@ -102,15 +102,15 @@ def loose_tube(generic: GenericHuman, joined: Joined, views: list[LooseView]) ->
     # seen from the finer rings' own middles the hull is the same but for millimetres that smoothing takes anyway
     flat = tube_points(centres, np.repeat(coarse[:, None], HULL_COLUMNS, axis=1), hull)[..., [0, 2]]
     rings = np.interp(np.linspace(0.0, 1.0, RINGS), np.linspace(0.0, 1.0, HULL_RINGS), np.arange(HULL_RINGS))
-    radii = refined(flat, rings, middle)
+    radii = refined_sections(flat, rings, middle)
     rise = np.clip((top - levels) / TUCK_M, 0.0, 1.0)
     clear = body + m_from_mm(1.0) * (rise * (CLEARANCE_MM + TUCK_MM) - TUCK_MM)
     radii = np.where(rise == 0.0, clear, np.maximum(radii, clear))
     return tube_points(middle, levels, radii)
 
 
-def refined(flat_m: Array, rings: Array, centres_m: Array) -> Array:
-    """Return (K, COLUMNS) radii around new centres of a coarse tube's sections.
+def refined_sections(flat_m: Array, rings: Array, centres_m: Array) -> Array:
+    """Return radii (K, COLUMNS) around new centres of a coarse tube's sections.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def refined(flat_m: Array, rings: Array, centres_m: Array) -> Array:
 
 
 def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, body_m: Array) -> Array:
-    """Return (K, HULL_COLUMNS) radii of the cloth's sections: rounded between the edges of the photos.
+    """Return radii (K, HULL_COLUMNS) of the cloth's sections: rounded between the edges of the photos.
 
     Front and back photos bound the width, the side photo the depth; without
     one, cloth stands off before and behind the body as it does at the sides.
@@ -146,7 +146,7 @@ def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, bo
     if deep:
         total = total + deep[0].reshape(total.shape)
     else:
-        total = total + _guessed_depth(total, reach, way, body_m) ** ROUNDNESS
+        total = total + _depth_guesses(total, reach, way, body_m) ** ROUNDNESS
     outside = total > 1.0
     outside[..., -1] = True
     first = np.maximum(np.argmax(outside, axis=-1), 1)[..., None]
@@ -155,8 +155,8 @@ def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, bo
     return np.asarray(reach[first[..., 0] - 1] + part * (reach[1] - reach[0]))
 
 
-def _guessed_depth(wide: Array, reach: Array, way: Array, body_m: Array) -> Array:
-    """Return (K, HULL_COLUMNS, STEPS) where points lie between the guessed front (1) and back of cloth."""
+def _depth_guesses(wide: Array, reach: Array, way: Array, body_m: Array) -> Array:
+    """Return the guessed depths (K, HULL_COLUMNS, STEPS) between the front (1) and the back of cloth."""
     sides = [int(np.argmax(way[:, 0])), int(np.argmin(way[:, 0]))]
     out = [reach[np.argmax(wide[:, side] > 1.0, axis=-1)] - body_m[:, side] for side in sides]
     off = np.maximum(np.mean(out, axis=0), 0.0)

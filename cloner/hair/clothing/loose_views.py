@@ -1,4 +1,4 @@
-"""Loose clothing in the photos: what carries it, and where its edges are for points at rest."""
+"""Loose clothing in the photos: its skinning, and the position of rest points between its edges."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ TRUNK = ("sacroiliac", "vl5", "vl4", "vl3", "vl2", "vl1", "vt12", "vt11", "vt10"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Hanging:
-    """What carries cloth around the legs: trunk and both thighs.
+class LegSkinning:
+    """Skinning of cloth around the legs: trunk and both thighs.
 
     Attributes
     ----------
@@ -49,8 +49,8 @@ class Hanging:
     middle_m: float
 
     @classmethod
-    def of(cls, generic: GenericHuman, joined: Joined) -> Hanging:
-        """Return what carries a person's clothes."""
+    def of(cls, generic: GenericHuman, joined: Joined) -> LegSkinning:
+        """Return the skinning of a person's clothes."""
         trunk = np.array([generic.joint(name) for name in TRUNK], np.int32)
         hips = np.array([generic.joint("l_hip"), generic.joint("r_hip")], np.int32)
         left, right = joined.joints_m[hips]
@@ -78,7 +78,7 @@ class Hanging:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LooseView:
-    """Loose clothing in one photo, with the pose the photo has.
+    """Loose clothing in one photo, in the photo's pose.
 
     Attributes
     ----------
@@ -92,10 +92,10 @@ class LooseView:
     posed: PosedView
     region: LooseRegion
     transforms: Array
-    hanging: Hanging
+    hanging: LegSkinning
 
     def project(self, points_m: Array) -> Array:
-        """Return (N, 2) photo pixels of rest points of the cloth."""
+        """Return photo pixels (N, 2) of rest points of the cloth."""
         joints, weights = self.hanging.weights(points_m)
         return self.posed.camera.project(linear_blend_skinning(points_m, self.transforms, joints, weights))
 
@@ -106,7 +106,7 @@ class LooseView:
         return float(self.posed.camera.to_camera(posed)[0, 2])
 
     def across(self, points_m: Array) -> Array:
-        """Return (N,) where rest points lie between the cloth's edges: -1 at the first, 1 at the last."""
+        """Return the position (N,) of rest points between the cloth's edges: -1 at the first, 1 at the last."""
         pixel = self.project(points_m)
         rows = self.region.top_px + np.arange(len(self.region.edges_px))
         first, last = (np.interp(pixel[:, 1], rows, edge) for edge in self.region.edges_px.T)
@@ -120,7 +120,7 @@ class LooseView:
 
 
 def loose_views(
-    generic: GenericHuman, joined: Joined, regions: Mapping[ViewId, LooseRegion], hanging: Hanging
+    generic: GenericHuman, joined: Joined, regions: Mapping[ViewId, LooseRegion], hanging: LegSkinning
 ) -> list[LooseView]:
     """Return the photos that show a piece of loose clothing."""
     found = []

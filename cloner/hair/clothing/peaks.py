@@ -1,4 +1,4 @@
-"""The peak of a cap: a slab too thin for a hull of two outlines, but measured by them one at a time.
+"""The peak of a cap: too thin for a visual hull, but measurable in each outline.
 
 From aside a peak is a thin run of headwear before all of the head: its length, slope, curve and thickness. From the
 front its lower edge tells how wide it is and how far it is arched. From above no photo shows it: it ends in an ellipse
@@ -46,8 +46,8 @@ FACING: Final = {1.0: (ViewId.FACE_FRONT, ViewId.BODY_FRONT), -1.0: (ViewId.BODY
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Profile:
-    """A peak seen from aside.
+class PeakProfile:
+    """A peak seen from the side.
 
     Attributes
     ----------
@@ -71,16 +71,16 @@ class Profile:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Peak:
-    """A peak with all its measures; arch is how far its sides hang below its middle, metres."""
+    """A measured peak; arch is how far its sides hang below its middle, metres."""
 
-    profile: Profile
+    profile: PeakProfile
     middle_m: tuple[float, float]
     half_width_m: float
     arch_m: float
 
 
 def find_peak(views: list[HairView], proposals: Proposals, cap_m: Array, least_m: float) -> Peak | None:
-    """Return the peak of the cap that the photos show, None where they show none.
+    """Return the peak of the cap in the photos, None where they show none.
 
     Parameters
     ----------
@@ -98,16 +98,16 @@ def find_peak(views: list[HairView], proposals: Proposals, cap_m: Array, least_m
     for name in SIDES:
         for view in (view for view in views if view.posed.view is name and view.flip_m is None):
             for way in FACING:
-                profile = profile_of(view, proposals, above, middle, way)
-                peak = profile and _measured(worn_views(views, proposals), profile, above, middle)
+                profile = peak_profile(view, proposals, above, middle, way)
+                peak = profile and _with_front_measures(headwear_views(views, proposals), profile, above, middle)
                 if peak:
                     return peak
     return None
 
 
-def profile_of(
+def peak_profile(
     view: HairView, proposals: Proposals, cap_m: Array, middle_m: tuple[float, float], way: float
-) -> Profile | None:
+) -> PeakProfile | None:
     """Return the thin run of headwear beyond the cap in a side photo, None where there is none."""
     out = np.arange(0.0, float(np.abs(cap_m[:, 2] - middle_m[1]).max()) + REACH_M, STEP_M)
     heights = np.arange(cap_m[:, 1].min(), cap_m[:, 1].max(), STEP_M)
@@ -120,13 +120,13 @@ def profile_of(
         return None
     shown = pieces == 1 + int(np.bincount(pieces[shown])[1:].argmax())
     last = int(np.flatnonzero(shown.any(axis=0))[-1])
-    first, run = last, _run(shown[:, last], int(np.flatnonzero(shown[:, last])[-1]))
+    first, run = last, _run_around(shown[:, last], int(np.flatnonzero(shown[:, last])[-1]))
     low, high = [], []
     while run is not None and (run[1] - run[0]) * STEP_M < m_from_mm(THICK_MM) and first > 0:
         low.append(run[0])
         high.append(run[1])
         first -= 1
-        run = _run(shown[:, first], (run[0] + run[1] - 1) // 2)
+        run = _run_around(shown[:, first], (run[0] + run[1] - 1) // 2)
     if run is None or len(low) * STEP_M < m_from_mm(SHORTEST_MM) or last == len(out) - 1:
         return None
     rows = np.concatenate(
@@ -143,10 +143,10 @@ def profile_of(
     # The edge, an ellipse seen from its side, hangs by the arch times this share.
     hanging = (1.0 - (out / out[-1]) ** 2)[: len(out) // 2]
     arch = float(np.median((top[-1] - thickness - bottom[: len(out) // 2]) / hanging))
-    return Profile(way, out, top, thickness, float(np.clip(arch, 0.0, m_from_mm(MOST_ARCH_MM))))
+    return PeakProfile(way, out, top, thickness, float(np.clip(arch, 0.0, m_from_mm(MOST_ARCH_MM))))
 
 
-def _run(column: NDArray[np.bool_], row: int) -> tuple[int, int] | None:
+def _run_around(column: NDArray[np.bool_], row: int) -> tuple[int, int] | None:
     """Return first and last plus one of the True values around a row, None where it is False."""
     if not column[row]:
         return None
@@ -154,8 +154,10 @@ def _run(column: NDArray[np.bool_], row: int) -> tuple[int, int] | None:
     return int(below[-1]) + 1 if below.size else 0, row + int(above[0]) if above.size else len(column)
 
 
-def _measured(views: list[HairView], profile: Profile, cap_m: Array, middle_m: tuple[float, float]) -> Peak | None:
-    """Return the peak with width and arch, None where the photo from before it denies it."""
+def _with_front_measures(
+    views: list[HairView], profile: PeakProfile, cap_m: Array, middle_m: tuple[float, float]
+) -> Peak | None:
+    """Return the peak with width and arch, None where the front photo contradicts it."""
     near = np.abs(cap_m[:, 1] - profile.top_m[0]) < AROUND_M
     if not near.any():
         return None
@@ -163,18 +165,18 @@ def _measured(views: list[HairView], profile: Profile, cap_m: Array, middle_m: t
     whole = Peak(profile, middle_m, widest, 0.0)
     for name in FACING[profile.way]:
         for view in (view for view in views if view.posed.view is name):
-            return _from_before(view, whole)
+            return _measured_from_front(view, whole)
     return whole
 
 
-def _from_before(view: HairView, peak: Peak) -> Peak | None:
-    """Return a peak as wide and as much arched as a photo from before it shows; None where it shows no headwear.
+def _measured_from_front(view: HairView, peak: Peak) -> Peak | None:
+    """Return a peak with the width and arch of a front photo, None where it shows no headwear.
 
     Heads nod between photos: only how the edge runs is read, not how high it lies; the side photo tells that better.
     """
     angles = np.linspace(-SQUARE_RAD, SQUARE_RAD, SPOKES)
     drop = m_from_mm(1.0) * np.arange(-NODS_MM, NODS_MM, mm_from_m(STEP_M))
-    edge = surface(peak, angles, np.ones(1))[:, 0] - (0.0, peak.profile.thickness_m, 0.0)
+    edge = peak_surface(peak, angles, np.ones(1))[:, 0] - (0.0, peak.profile.thickness_m, 0.0)
     below = np.repeat(edge[:, None], len(drop), axis=1)
     below[..., 1] -= drop
     shown = view.evidence(below.reshape(-1, 3))[0].reshape(below.shape[:2]) > 0.0
@@ -205,13 +207,13 @@ def _half_width(view: HairView, peak: Peak, end_m: Array) -> float:
 
 
 def _lower_end(column: NDArray[np.bool_]) -> float:
-    """Return the place, nearest to the middle, where True values end, counted from the top; NaN where they do not."""
+    """Return the position, nearest to the middle, where True values end, from the top; NaN where they do not."""
     ends = np.flatnonzero(column[:-1] & ~column[1:])
     return float(ends[np.abs(ends - len(column) // 2).argmin()]) if ends.size else np.nan
 
 
-def surface(peak: Peak, angles: Array, shares: Array) -> Array:
-    """Return (A, R, 3) points of the upper side, rest frame, at angles from the middle and shares of the reach."""
+def peak_surface(peak: Peak, angles: Array, shares: Array) -> Array:
+    """Return points (A, R, 3) of the upper side, rest frame, at angles from the middle and shares of the reach."""
     profile = peak.profile
     tip = profile.out_m[-1]
     angle, share = np.meshgrid(angles, shares, indexing="ij")
@@ -225,7 +227,7 @@ def peak_mesh(peak: Peak) -> tuple[Array, NDArray[np.int32]]:
     """Return vertices (N, 3) and triangles (T, 3) of a peak, a closed slab whose root lies in the cap."""
     profile = peak.profile
     root = max((profile.out_m[0] - ROOT_M) / profile.out_m[-1], 0.1)
-    upper = surface(peak, np.linspace(-WIDE_RAD, WIDE_RAD, SPOKES), np.linspace(root, 1.0, RINGS))
+    upper = peak_surface(peak, np.linspace(-WIDE_RAD, WIDE_RAD, SPOKES), np.linspace(root, 1.0, RINGS))
     lower = upper - (0.0, profile.thickness_m, 0.0)
     points = np.concatenate([upper.reshape(-1, 3), lower.reshape(-1, 3)])
     count = SPOKES * RINGS
@@ -241,11 +243,11 @@ def peak_mesh(peak: Peak) -> tuple[Array, NDArray[np.int32]]:
         ]
     )
     faces = np.concatenate([sheet, sheet[:, ::-1] + count, rim]).astype(np.int32)
-    return points, np.ascontiguousarray(faces if outward(points, faces) else faces[:, ::-1])
+    return points, np.ascontiguousarray(faces if faces_outward(points, faces) else faces[:, ::-1])
 
 
-def worn_views(views: list[HairView], proposals: Proposals) -> list[HairView]:
-    """Return the evidence of headwear alone, without the hair around it."""
+def headwear_views(views: list[HairView], proposals: Proposals) -> list[HairView]:
+    """Return the views with headwear alone, without the hair around it."""
     found = []
     for view in views:
         own = view.hair & (proposals.views[view.posed.view].labels == Label.ACCESSORY)
@@ -255,7 +257,7 @@ def worn_views(views: list[HairView], proposals: Proposals) -> list[HairView]:
 
 
 def under_headwear(worn: list[HairView], points_m: Array) -> NDArray[np.bool_]:
-    """Return which rest points (N, 3) some photo shows as headwear; `worn` as :func:`worn_views` gives it."""
+    """Return which rest points (N, 3) some photo shows as headwear; `worn` from :func:`headwear_views`."""
     found = np.zeros(len(points_m), np.bool_)
     for view in worn:
         if view.hair.any():
@@ -264,7 +266,7 @@ def under_headwear(worn: list[HairView], points_m: Array) -> NDArray[np.bool_]:
     return found
 
 
-def outward(points_m: Array, triangles: NDArray[np.int32]) -> bool:
-    """Return whether a closed surface's triangles turn their outsides outwards: its volume is positive."""
+def faces_outward(points_m: Array, triangles: NDArray[np.int32]) -> bool:
+    """Return whether a closed surface's triangles face outwards (positive volume)."""
     a, b, c = (points_m[triangles[:, k]] - points_m.mean(axis=0) for k in range(3))
     return bool(np.einsum("nk,nk->", a, np.cross(b, c)) > 0.0)

@@ -1,4 +1,4 @@
-"""A scarf as a ring of its own around the neck: what photos of all sides agree on, outside the skin.
+"""A scarf as a ring around the neck, outside the skin, where photos of all sides agree.
 
 Painted on neck and shoulders it slid down the back and lost its folds.
 """
@@ -18,8 +18,8 @@ from cloner.frames import m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.shells.mesh import mesh_of
-from cloner.hair.shells.shell import dress_shell, shown_part
+from cloner.hair.shells.mesh import extract_mesh
+from cloner.hair.shells.shell import dress_shell, visible_part
 from cloner.hair.volumes.cap import surface_mm
 from cloner.hair.volumes.hanging import INNER_MM
 from cloner.hair.volumes.pictures import FAR_MM, distances_px
@@ -55,7 +55,7 @@ TRIANGLES, SIZE, SMALLEST_PIECE = 4000, 512, 0.2
 def scarf_shell(
     generic: GenericHuman, joined: Joined, photos: PhotoSet, proposals: Proposals, views: list[HairView]
 ) -> Shell | None:
-    """Return the scarf, None unless photos from before and from aside show one.
+    """Return the scarf, None unless front and side photos show one.
 
     Parameters
     ----------
@@ -65,18 +65,20 @@ def scarf_shell(
         Poses and cameras of all photos.
     """
     chin = joined.vertices_m[generic.feature("chin_bottom")]
-    worn = [view for view in (scarfed(one, proposals.views[one.posed.view].labels, chin) for one in views) if view]
-    if not _round(worn):
+    worn = [
+        view for view in (scarf_evidence(one, proposals.views[one.posed.view].labels, chin) for one in views) if view
+    ]
+    if not _seen_all_round(worn):
         return None
     skin, normals = generic.skin, vertex_normals(joined.vertices_m, body_triangles())
     near = skin & (np.abs(joined.vertices_m - chin) < 2.0 * AROUND_M).all(axis=1)
     body = joined.vertices_m[near], normals[near]
     field, skin_mm, low = scarf_field(worn, body, chin)
-    mesh = mesh_of(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
+    mesh = extract_mesh(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
     if mesh is None:
         return None
     shape = settle_shell(worn, body, *mesh, FILM_MM)
-    used, triangles, inside_mm = shown_part(worn, shape, mesh[1])
+    used, triangles, inside_mm = visible_part(worn, shape, mesh[1])
     if not len(triangles) or surface_mm(*body, shape[used])[0].max() < STANDS_OUT_MM:
         return None
     carried = np.flatnonzero(near)[cKDTree(body[0]).query(shape[used])[1]]
@@ -85,8 +87,8 @@ def scarf_shell(
     return dress_shell(generic, joined, photos, worn, surface, skinned, SIZE, strands=None, kind="scarf")
 
 
-def scarfed(view: HairView, labels: NDArray[np.uint8], chin_m: Array) -> HairView | None:
-    """Return what a photo says of a scarf in the words of hair, None where it shows none.
+def scarf_evidence(view: HairView, labels: NDArray[np.uint8], chin_m: Array) -> HairView | None:
+    """Return a photo's evidence of a scarf as a hair view, None where it shows none.
 
     Folds and what hangs over it are labelled as other things: between its pieces all is scarf but face and hair.
     """
@@ -108,8 +110,8 @@ def scarfed(view: HairView, labels: NDArray[np.uint8], chin_m: Array) -> HairVie
     return replace(view, hair=hair, hair_px=to_scarf, line_px=to_line, outline_px=to_person, clothed=clothed)
 
 
-def _round(worn: list[HairView]) -> bool:
-    """Whether photos from before and from aside show it."""
+def _seen_all_round(worn: list[HairView]) -> bool:
+    """Return whether photos from the front and from the side show it."""
     seen = {view.posed.view for view in worn}
     return all(seen & set(names) for names in SIDES[:2])
 
@@ -117,7 +119,7 @@ def _round(worn: list[HairView]) -> bool:
 def scarf_field(
     worn: list[HairView], body: tuple[Array, Array], chin_m: Array
 ) -> tuple[NDArray[np.float32], NDArray[np.float32], Array]:
-    """Return the scarf's field and the distance to the skin, (X, Y, Z) mm, and the grid's first point, m."""
+    """Return the scarf's field and the distance to the skin, (X, Y, Z) mm, and the grid's origin, m."""
     low = chin_m - (AROUND_M, BELOW_M, 1.5 * AROUND_M)
     high = chin_m + (AROUND_M, ABOVE_M + m_from_mm(CLIP_MM), AROUND_M)
     grid, shape = voxels(low, high)

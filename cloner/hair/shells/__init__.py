@@ -1,1 +1,1 @@
-"""Hair as surfaces: shells, their texture, soft edges, single hairs, beards."""
+"""Hair as surfaces: shells, their textures, soft edges, single hairs, beards."""

@@ -1,4 +1,4 @@
-"""A beard as a soft shell of its own over jaw and cheeks, hanging below the chin as far as the photos show it.
+"""A beard as a soft shell over jaw and cheeks, hanging below the chin as far as the photos show.
 
 On the face it is as thick as the photos' outlines stand off the fitted skin, as the hair's cap is; below it fills what
 front and side photos agree on, under the skin where it grows. Weights and morph targets of that skin carry it. Stubble,
@@ -26,13 +26,13 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.edge import FADE_MM
-from cloner.hair.shells.mesh import lowest_m, mesh_of
-from cloner.hair.shells.shell import dress_shell, shown_part
+from cloner.hair.shells.mesh import extract_mesh, lowest_hair_m
+from cloner.hair.shells.shell import dress_shell, visible_part
 from cloner.hair.volumes.cap import Scalp, measure_scalp, surface_mm
 from cloner.hair.volumes.hanging import DRAPE_MM, INNER_MM
 from cloner.hair.volumes.pictures import FAR_MM, distances_px
 from cloner.hair.volumes.settled import settle_shell
-from cloner.hair.volumes.views import HairView, Hanger
+from cloner.hair.volumes.views import HairSkinning, HairView
 from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, SMOOTH_VOXELS, VOXEL_M, cap_mm, near_skin, voxels
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -86,9 +86,9 @@ def beard_shell(
     views : list of HairView
         What every photo says of hair.
     """
-    if contradicted(proposals):
+    if is_contradicted(proposals):
         return None
-    asked = (bearded(view, proposals.views[view.posed.view].labels) for view in views if _shows_face(view))
+    asked = (beard_evidence(view, proposals.views[view.posed.view].labels) for view in views if _shows_face(view))
     views = [view for view in asked if view is not None]
     if not any(view.posed.view.is_face for view in views):
         return None
@@ -106,12 +106,12 @@ def beard_shell(
         return None
     body = joined.vertices_m[generic.skin], normals[generic.skin]
     field, skin_mm, low = beard_field(views, grown, body, points[zone])
-    mesh = mesh_of(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
+    mesh = extract_mesh(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
     if mesh is None:
         return None
     # By the planes of a neck's end the chest's air would be skin: long beards were pushed out of it as spikes.
     shape = settle_shell(views, body, *mesh, FILM_MM)
-    used, triangles, inside_mm = shown_part(views, shape, mesh[1], grown)
+    used, triangles, inside_mm = visible_part(views, shape, mesh[1], grown)
     aside = any(view.posed.view.is_side for view in views)
     if thickness_mm(grown, shape[used], inside_mm) < (THINNEST_MM if aside else UNSEEN_MM):
         return None
@@ -121,8 +121,8 @@ def beard_shell(
     return dress_shell(generic, joined, photos, views, surface, skinned, SIZE, strands=None, kind="beard", rides=rides)
 
 
-def contradicted(proposals: Proposals) -> bool:
-    """Whether one photo of the face shows a beard and the other, which sees the face too, hardly any."""
+def is_contradicted(proposals: Proposals) -> bool:
+    """Return whether one photo of the face shows a beard and the other, with the face visible, hardly any."""
     shares = []
     for view in (ViewId.FACE_FRONT, ViewId.FACE_SIDE):
         if view in proposals.views:
@@ -136,9 +136,9 @@ def _shows_face(view: HairView) -> bool:
     return view.posed.view is not ViewId.BODY_BACK
 
 
-def bearded(view: HairView, labels: NDArray[np.uint8]) -> HairView | None:
-    """Return what a photo says of the beard in the words of hair: its outline is the face's, and the skull carries it.
-    None where it shows no beard.
+def beard_evidence(view: HairView, labels: NDArray[np.uint8]) -> HairView | None:
+    """Return a photo's evidence of the beard as a hair view: its outline is the face's, and the skull moves it. None
+    where it shows none.
 
     Below a beard that hangs before neck and clothes the face ends; there its outline tells how thick it is.
     """
@@ -147,7 +147,7 @@ def bearded(view: HairView, labels: NDArray[np.uint8]) -> HairView | None:
         return None
     hair, to_beard, to_line, _ = distances_px(beard, labels != Label.BACKGROUND)
     to_face = distances_px(beard, shows(labels, *FACE, Label.HAIR) | beard)[3]
-    skull = Hanger(view.hanger.joints, view.hanger.heights_m - ALL_SKULL_M)
+    skull = HairSkinning(view.hanger.joints, view.hanger.heights_m - ALL_SKULL_M)
     return replace(view, hair=hair, hair_px=to_beard, line_px=to_line, outline_px=to_face, hanger=skull)
 
 
@@ -182,7 +182,7 @@ def beard_rows(generic: GenericHuman, joined: Joined) -> tuple[NDArray[np.int64]
 def beard_field(
     views: list[HairView], grown: Scalp, body: tuple[Array, Array], zone_m: Array
 ) -> tuple[Floats, Floats, Array]:
-    """Return the beard's field and the distance to the skin, (X, Y, Z) mm, and the grid's first point, metres.
+    """Return the beard's field and the distance to the skin, (X, Y, Z) mm, and the grid's origin, metres.
 
     Parameters
     ----------
@@ -193,7 +193,7 @@ def beard_field(
     zone_m : (Z, 3) skin on which beards can grow, metres
     """
     low, high = zone_m.min(axis=0) - MARGIN_M, zone_m.max(axis=0) + MARGIN_M
-    low[1] = min(low[1], lowest_m(views) - MARGIN_M)
+    low[1] = min(low[1], lowest_hair_m(views) - MARGIN_M)
     grid, shape = voxels(low, high)
     shown = next(view for name in SEEN_FROM for view in views if view.posed.view is name and view.flip_m is None)
     rows = np.flatnonzero(shown.evidence(grid)[0] > -CLIP_MM)  # four fifths of the box are beside the beard
@@ -202,7 +202,7 @@ def beard_field(
     cap, hanging = (np.full(len(rows), np.float32(-CLIP_MM)) for _ in range(2))
     close, outside = np.abs(skin_mm) < NEAR_MM, skin_mm > -INNER_MM
     cap[close] = cap_mm(views, near_skin(grown, points[close]))
-    inside, sides = agreed_mm(views, points[outside], float(zone_m[:, 0].mean()))
+    inside, sides = agreed_depth_mm(views, points[outside], float(zone_m[:, 0].mean()))
     thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[outside])
     hanging[outside] = np.minimum(np.minimum(inside - DOUBT_MM, thin), skin_mm[outside] + INNER_MM)
 
@@ -213,15 +213,16 @@ def beard_field(
 
     distance_mm, cap, hanging = spread(skin_mm, FAR_MM), spread(cap, -CLIP_MM), spread(hanging, -CLIP_MM)
     cap = np.clip(cap, -CLIP_MM, CLIP_MM)
-    hanging = np.clip(np.minimum(hanging, below_mm(cap)), -CLIP_MM, CLIP_MM)
+    hanging = np.clip(np.minimum(hanging, depth_below_mm(cap)), -CLIP_MM, CLIP_MM)
     pieces = label((cap > 0.0) | (hanging > 0.0))[0]
     held = np.isin(pieces, np.unique(pieces[cap > 0.0])) & (pieces > 0)
     field = np.where(held, np.maximum(cap, hanging), cap)
     return gaussian_filter(field.astype(np.float32), SMOOTH_VOXELS), distance_mm, low
 
 
-def agreed_mm(views: list[HairView], points_m: Array, middle_m: float) -> tuple[Floats, NDArray[np.int64]]:
-    """Return (N,) how deep points lie in the beard that front and side photo agree on, mm, and how many of them judge.
+def agreed_depth_mm(views: list[HairView], points_m: Array, middle_m: float) -> tuple[Floats, NDArray[np.int64]]:
+    """Return the depth (N,) of points in the beard on which front and side photo agree, mm, and how many of them see
+    them.
 
     The face was fitted to the face photos, which come first. Shoulders hide half of a beard from aside: what the photo
     shows of its middle, at x = ``middle_m``, holds for all of it. The cones meet in a round edge.
@@ -239,8 +240,8 @@ def agreed_mm(views: list[HairView], points_m: Array, middle_m: float) -> tuple[
     return np.where(sides > 0, np.float32(ROUND_MM) - np.sqrt(away), np.float32(-FAR_MM)), sides
 
 
-def below_mm(cap: Floats) -> Floats:
-    """Return how deep the points of a grid (X, Y, Z) lie below a beard that grows above, mm, negative beside it."""
+def depth_below_mm(cap: Floats) -> Floats:
+    """Return the depth of a grid's points (X, Y, Z) below a beard that grows above, mm, negative beside it."""
     foot, height = (cap > 0.0).any(axis=1), np.arange(cap.shape[1])[None, :, None]
     lowest = np.where(foot, (cap > 0.0).argmax(axis=1), 0)
     highest = np.where(foot, cap.shape[1] - 1 - (cap > 0.0)[:, ::-1].argmax(axis=1), 0)  # a chin's over its throat's
@@ -252,7 +253,7 @@ def below_mm(cap: Floats) -> Floats:
 
 
 def thickness_mm(grown: Scalp, shape_m: Array, inside_mm: Array) -> float:
-    """Return how far a beard's surface (N, 3) stands off the skin where its thicker quarter begins, mm, 0 without any.
+    """Return the 75th percentile of a beard's thickness over the skin, mm, 0 without any.
 
     Parameters
     ----------

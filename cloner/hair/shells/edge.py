@@ -1,4 +1,4 @@
-"""A hairline is where the photos show it, and no cut: strands thin out over some millimetres."""
+"""Soft hairlines: alpha fades out over some millimetres around where the photos show the hairline."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def inside_hairline_mm(
     triangles: NDArray[np.int32],
     unseen_mm: Array | float = VOTE_MM,
 ) -> Array:
-    """Return (N,) how far a shell's points lie inside the hair that the photos show, mm, at most VOTE_MM.
+    """Return the distance (N,) of a shell's points inside the hair that the photos show, mm, at most VOTE_MM.
 
     Labels are read where the photo sees the hair's surface, not the skin below: what a photo shows as
     face stays clear through its own camera, however thick the hair. Photos that disagree are averaged. What none sees
@@ -60,8 +60,8 @@ def inside_hairline_mm(
 
 
 def unseen_inside_mm(scalp: Scalp, vertices_m: Array) -> Array:
-    """Return (N,) how far inside the hair a shell's points lie by what the skin below grows, mm: on the skin as far as
-    there, what stands off it all.
+    """Return the distance (N,) of a shell's points inside the hair by the skin below them, mm: where no photo sees
+    them.
     """
     away_mm, rows, weight = surface_mm(scalp.points_m, scalp.normals, vertices_m)
     hairy = (weight * scalp.hairy[rows]).sum(axis=1)
@@ -69,7 +69,7 @@ def unseen_inside_mm(scalp: Scalp, vertices_m: Array) -> Array:
 
 
 def soften_edge(rgba: NDArray[np.uint8], atlas: AtlasMap, inside_mm: NDArray[np.floating]) -> NDArray[np.uint8]:
-    """Return the texture (S, S, 4) with alpha falling to nothing over the hairline.
+    """Return the texture (S, S, 4) with alpha that fades to zero over the hairline.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How much hair every pixel around the hair's outline shows: single hairs, strands and curls are no surface.
+"""Alpha mattes of hair around its outline: single hairs, strands and curls.
 
 Between hair's colour and the wall's every pixel tells its share of hair (the compositing equation of matting, Porter
 and Duff 1984, solved for alpha). Where most of the pixels are hair its surface lies: the core. What stands out of the
@@ -59,7 +59,7 @@ LEAST_MM: Final = 2.8
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Matte:
-    """The shares of hair in a window of one photo.
+    """The alpha matte of hair in a window of one photo.
 
     Attributes
     ----------
@@ -91,16 +91,16 @@ class Matte:
 
     @property
     def clear(self) -> bool:
-        """Whether wall and hair differ, and the wall looks like hair nowhere around."""
+        """Return whether wall and hair differ in colour everywhere around."""
         return bool(np.isfinite(self.rings).all() and self.rings[-OUTERMOST:].mean() <= CLUTTER)
 
     def window_px(self, photo_px: Array) -> Array:
-        """Return (N, 2) pixels of the window of photo pixels."""
+        """Return window pixels (N, 2) of photo pixels."""
         return (photo_px - self.origin_px + 0.5) / self.step - 0.5
 
 
-def matte_of(rgb: NDArray[np.uint8], view: HairView, pixel_mm: float) -> Matte | None:
-    """Return one photo's shares of hair, None where it shows too little.
+def make_matte(rgb: NDArray[np.uint8], view: HairView, pixel_mm: float) -> Matte | None:
+    """Return one photo's matte, None where it shows too little.
 
     Parameters
     ----------
@@ -127,22 +127,22 @@ def matte_of(rgb: NDArray[np.uint8], view: HairView, pixel_mm: float) -> Matte |
     if np.count_nonzero(deep) < FEWEST_PX:
         return None
     share, told, pure = hair.astype(np.float32), np.zeros(hair.shape, np.bool_), deep
-    own = _spread(picture, pure, SMOOTH_MM / fine_mm)
+    own = _extrapolate(picture, pure, SMOOTH_MM / fine_mm)
     if np.count_nonzero(wall) >= FEWEST_PX:
-        behind = _spread(picture, wall, SMOOTH_MM / fine_mm)
+        behind = _extrapolate(picture, wall, SMOOTH_MM / fine_mm)
         for _ in range(ROUNDS):
             share, told, strange = _shares(picture, own, behind, hair)
             pure = hair & (share > PURE) & (strange < STRANGE)
-            own = _spread(picture, pure | (deep & ~told), SMOOTH_MM / fine_mm)
+            own = _extrapolate(picture, pure | (deep & ~told), SMOOTH_MM / fine_mm)
     share = np.where(other, np.float32(0.0), share)
     core = _core(share, hair, other, fine_mm)
     alone = np.where(pure[..., None], picture, own)
     first = np.array([columns[0], rows[0]], np.float64)
-    return Matte(share, alone, told, core, first, step, fine_mm, _rings(share, told, core, other, fine_mm))
+    return Matte(share, alone, told, core, first, step, fine_mm, _ring_means(share, told, core, other, fine_mm))
 
 
 def _shares(picture: Picture, own: Picture, behind: Picture, hair: Mask) -> tuple[Picture, Mask, Picture]:
-    """Return (h, w) shares of hair, where it differs from the wall, and how far pixels are from mixtures of both."""
+    """Return alpha (h, w) where hair differs from the wall, and each pixel's distance from mixtures of both."""
     apart = own - behind
     contrast = np.einsum("ijk,ijk->ij", apart, apart)
     along = np.einsum("ijk,ijk->ij", picture - behind, apart) / np.maximum(contrast, 1.0)
@@ -154,7 +154,7 @@ def _shares(picture: Picture, own: Picture, behind: Picture, hair: Mask) -> tupl
     return np.where(told, share, hair).astype(np.float32), told, strange
 
 
-def rim_of(mattes: Iterable[Matte]) -> float | None:
+def hair_rim_mm(mattes: Iterable[Matte]) -> float | None:
     """Return how far hair stands out of its core, mm, None where it is smooth or no photo can tell.
 
     Of two photos the smoother is believed: a wall may look like hair.
@@ -168,24 +168,24 @@ def rim_of(mattes: Iterable[Matte]) -> float | None:
     return RING_MM * reach if RING_MM * usual[:reach].sum() >= LEAST_MM else None
 
 
-def mattes_of(photos: Mapping[ViewId, Photo], views: list[HairView], points_m: Array) -> dict[ViewId, Matte]:
-    """Return every photo's shares of hair, where it shows enough; ``points_m`` (N, 3) at rest tell a pixel's size."""
+def make_mattes(photos: Mapping[ViewId, Photo], views: list[HairView], points_m: Array) -> dict[ViewId, Matte]:
+    """Return every photo's matte, where it shows enough; ``points_m`` (N, 3) at rest give a pixel's size."""
     found = {}
     for view in views:
         if view.flip_m is None and view.posed.view in photos:
-            matte = matte_of(photos[view.posed.view].rgb, view, view.pixel_mm(view.to_view(points_m)))
+            matte = make_matte(photos[view.posed.view].rgb, view, view.pixel_mm(view.to_view(points_m)))
             if matte is not None:
                 found[view.posed.view] = matte
     return found
 
 
-def with_cores(views: list[HairView], mattes: Mapping[ViewId, Matte]) -> list[HairView]:
-    """Return the evidence in which hair is its core alone."""
-    return [with_core(view, mattes[view.posed.view]) if view.posed.view in mattes else view for view in views]
+def reduce_to_cores(views: list[HairView], mattes: Mapping[ViewId, Matte]) -> list[HairView]:
+    """Return the views with hair reduced to its solid core."""
+    return [reduce_to_core(view, mattes[view.posed.view]) if view.posed.view in mattes else view for view in views]
 
 
-def with_core(view: HairView, matte: Matte) -> HairView:
-    """Return a photo's evidence in which hair is its core alone: what surfaces are fitted to."""
+def reduce_to_core(view: HairView, matte: Matte) -> HairView:
+    """Return a view with hair reduced to its solid core, to which surfaces are fitted."""
     placed = np.column_stack([np.eye(2) / matte.step, matte.window_px(np.zeros((1, 2)))[0]])
     flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
     core = cv2.warpAffine(matte.core.astype(np.uint8), placed, view.hair.shape[::-1], flags=flags) > 0
@@ -194,7 +194,9 @@ def with_core(view: HairView, matte: Matte) -> HairView:
 
 
 def _core(share: Picture, hair: Mask, other: Mask, pixel_mm: float) -> Mask:
-    """Return (h, w) where most is hair, without what is narrow; the person beside it makes nothing narrow."""
+    """Return the pixels (h, w) that are mostly hair, without narrow parts; the person beside it makes
+    nothing narrow.
+    """
     soft = cv2.GaussianBlur(np.where(other, np.float32(1.0), share), (0, 0), DENSE_MM / pixel_mm)
     dense = hair & ((soft > DENSE) | (_away_mm(~hair, pixel_mm) > DEEPEST_MM))
     disc = _disc(WIDE_MM / pixel_mm)
@@ -204,8 +206,8 @@ def _core(share: Picture, hair: Mask, other: Mask, pixel_mm: float) -> Mask:
     return np.asarray(dense & opened, np.bool_)
 
 
-def _rings(share: Picture, told: Mask, core: Mask, other: Mask, pixel_mm: float) -> Array:
-    """Return (RINGS,) mean shares by distance from the core, NaN where the photo cannot tell."""
+def _ring_means(share: Picture, told: Mask, core: Mask, other: Mask, pixel_mm: float) -> Array:
+    """Return the mean alpha (RINGS,) by distance from the core, NaN where unknown."""
     unknown = np.full(RINGS, np.nan)
     if not core.any():
         return unknown
@@ -229,8 +231,8 @@ def _away_mm(mask: Mask, pixel_mm: float) -> Array:
     return np.asarray(away, np.float64) * pixel_mm
 
 
-def _spread(picture: Picture, known: Mask, blur_px: float) -> Picture:
-    """Return a picture whose known colours go on smoothly everywhere; found at half its size, it is that smooth."""
+def _extrapolate(picture: Picture, known: Mask, blur_px: float) -> Picture:
+    """Return a picture with its known colours smoothly extended, computed at half its size."""
     size = (-(-known.shape[1] // 2), -(-known.shape[0] // 2))
     weight = cv2.resize(known.astype(np.float32), size, interpolation=cv2.INTER_AREA)
     total = cv2.resize(picture * known[..., None], size, interpolation=cv2.INTER_AREA)

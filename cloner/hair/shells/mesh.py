@@ -1,4 +1,4 @@
-"""The surface of a hair's field as a mesh."""
+"""Extraction of a hair field's surface as a mesh."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LOOK_PX = 4  # of the lowest hair, a margin is added
 HIDDEN_MM = 3.0  # this deep in the head nothing is seen
 
 
-def mesh_of(
+def extract_mesh(
     field: NDArray[np.float32], skin_mm: NDArray[np.float32], low_m: Array, triangles: int, smallest_piece: float
 ) -> tuple[Array, NDArray[np.int32]] | None:
     """Return vertices (N, 3) and triangles (T, 3) of a hair's outer surface, None when empty.
@@ -51,7 +51,7 @@ def mesh_of(
     return vertices, outer.reshape(-1, 3).astype(np.int32)
 
 
-def lowest_m(views: list[HairView]) -> float:
+def lowest_hair_m(views: list[HairView]) -> float:
     """Return the height of the lowest hair in any photo, rest frame, metres; infinite where no photo shows any."""
     lowest = np.inf
     for view in views:

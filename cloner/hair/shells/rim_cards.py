@@ -1,4 +1,4 @@
-"""Cards that stand out of a hair's shell along its rims and carry what photos show beyond it: tufts, strands, curls.
+"""Hair cards along the outlines of a hair's shell, with what photos show beyond it: tufts, strands, curls.
 
 Around the head every meridian of the shell carries a ribbon from the crown down. Those of ear to ear and of forehead to
 nape show what the front and side photos show there, in place; those between show the nearest of both.
@@ -22,8 +22,8 @@ from scipy.ndimage import binary_dilation, gaussian_filter1d
 from scipy.spatial import cKDTree
 
 from cloner.frames import m_from_mm
-from cloner.hair.shells.rim_strips import LEAST_MM, LEFT, RIGHT, ROOT_MM, TEXEL_MM, Strip, beyond_mm
-from cloner.hair.shells.rims import STEP_MM, Mesh, Rim, around, beside, rims_of
+from cloner.hair.shells.rim_strips import LEAST_MM, LEFT, RIGHT, ROOT_MM, TEXEL_MM, RimStrip, hair_beyond_mm
+from cloner.hair.shells.rims import STEP_MM, HalfOutline, Mesh, camera_around, half_outlines, points_beside
 from cloner.records.arrays import Array
 from cloner.records.heads import Shell
 from cloner.records.views import Camera
@@ -45,7 +45,7 @@ BRIGHTER: Final = (0.4, 1.8)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Ribbon:
+class MeridianCards:
     """The cards of one meridian.
 
     Attributes
@@ -64,9 +64,9 @@ class Ribbon:
 
 
 def rim_shell(
-    shell: Shell, grown: Mesh, body: Mesh, strips: Mapping[int, Strip], reach_mm: float, bare: NDArray[np.bool_]
+    shell: Shell, grown: Mesh, body: Mesh, strips: Mapping[int, RimStrip], reach_mm: float, bare: NDArray[np.bool_]
 ) -> Shell | None:
-    """Return the cards of a hair's shell, None where there is room for none.
+    """Return the cards of a hair's shell, None where there is no room for any.
 
     Parameters
     ----------
@@ -75,14 +75,14 @@ def rim_shell(
     grown : vertices (N, 3) at rest, m, and triangles (T, 3) of the hair without what is worn over it
     body : vertices (V, 3) at rest and triangles of the whole body
     strips : mapping of int to Strip
-        What they show (:func:`cloner.hair.shells.rim_strips.strips_of`).
+        What they show (:func:`cloner.hair.shells.rim_strips.make_strips`).
     reach_mm : float
         How far hair stands out.
     bare : (N,) bool
         Vertices without cards: hats.
     """
-    meridians = meridians_of(grown, body) if strips else {}
-    ribbons = list(_ribbons(grown, meridians, strips, reach_mm, bare))
+    meridians = find_meridians(grown, body) if strips else {}
+    ribbons = list(_meridian_cards(grown, meridians, strips, reach_mm, bare))
     if not ribbons:
         return None
     order = sorted(strips)
@@ -90,8 +90,8 @@ def rim_shell(
     vertex = cKDTree(shell.vertices_m)
     picture = np.zeros((height * len(order), width, 4), np.float32)
     for row, side in enumerate(order):
-        places = meridians[side][1].place_m if side in meridians else crown_of(grown[0])[None]
-        rgba = _evened(strips[side], shell, vertex, places)
+        places = meridians[side][1].place_m if side in meridians else crown_centre(grown[0])[None]
+        rgba = _matched_to_shell(strips[side], shell, vertex, places)
         picture[row * height : row * height + rgba.shape[0], : rgba.shape[1]] = rgba
     corners = np.concatenate([ribbon.corners_m for ribbon in ribbons])
     uv = []
@@ -113,61 +113,65 @@ def rim_shell(
     )
 
 
-def crown_of(vertices_m: Array) -> Array:
-    """Return the middle (3,) of a hair's upper 10 cm, around which meridians lie."""
+def crown_centre(vertices_m: Array) -> Array:
+    """Return the centre (3,) of a hair's upper 10 cm, around which meridians lie."""
     return np.asarray(vertices_m[vertices_m[:, 1] > vertices_m[:, 1].max() - 0.1].mean(axis=0))
 
 
-def meridians_of(grown: Mesh, body: Mesh) -> dict[int, tuple[Camera, Rim]]:
-    """Return the meridians of a hair at rest by where around the head they lie, degrees, and who sees them in plane."""
-    crown_m, found = crown_of(grown[0]), dict[int, tuple[Camera, Rim]]()
+def find_meridians(grown: Mesh, body: Mesh) -> dict[int, tuple[Camera, HalfOutline]]:
+    """Return the meridians of a hair at rest by azimuth, degrees, and the views that see them edge-on."""
+    crown_m, found = crown_centre(grown[0]), dict[int, tuple[Camera, HalfOutline]]()
     for turn in range(0, 180, 360 // MERIDIANS):
-        camera = around(crown_m, np.radians(turn))
-        for azimuth, rim in zip((turn - 90, turn + 90), rims_of(grown, body, camera, crown_m) or (), strict=False):
+        camera = camera_around(crown_m, np.radians(turn))
+        for azimuth, rim in zip(
+            (turn - 90, turn + 90), half_outlines(grown, body, camera, crown_m) or (), strict=False
+        ):
             found[azimuth % 360] = camera, rim
     return found
 
 
-def _ribbons(
+def _meridian_cards(
     grown: Mesh,
-    meridians: Mapping[int, tuple[Camera, Rim]],
-    strips: Mapping[int, Strip],
+    meridians: Mapping[int, tuple[Camera, HalfOutline]],
+    strips: Mapping[int, RimStrip],
     reach_mm: float,
     bare: NDArray[np.bool_],
-) -> Iterator[Ribbon]:
+) -> Iterator[MeridianCards]:
     """Yield the meridians that carry cards."""
     tree, rng = cKDTree(grown[0]), np.random.default_rng(SEED)
     for azimuth, (camera, rim) in meridians.items():
         side = _nearest(sorted(strips), azimuth)
         away_m, vertex = tree.query(rim.place_m)
-        carries = _hairy(rim, strips[side], reach_mm) & ~bare[vertex] & (away_m < m_from_mm(NEAR_MM))
-        low, high = beside(camera, rim, -ROOT_MM), beside(camera, rim, reach_mm)
+        carries = _hair_columns(rim, strips[side], reach_mm) & ~bare[vertex] & (away_m < m_from_mm(NEAR_MM))
+        low, high = points_beside(camera, rim, -ROOT_MM), points_beside(camera, rim, reach_mm)
         sway_m = m_from_mm(SWAY * reach_mm + SWAY_MM) * rng.uniform(-1.0, 1.0, (len(high), 1))
         high += sway_m * camera.camera_from_model[2, :3]
         first = STATION * np.flatnonzero(carries[:-STATION:STATION] | carries[STATION::STATION])
         end = first + STATION
         if len(first):
             corners = np.stack([low[first], low[end], high[end], high[first]], axis=1).reshape(-1, 3)
-            yield Ribbon(side, corners, np.asarray(STEP_MM * np.stack([first, end], axis=1), np.float64))
+            yield MeridianCards(side, corners, np.asarray(STEP_MM * np.stack([first, end], axis=1), np.float64))
 
 
 def _nearest(sides: list[int], azimuth_deg: float) -> int:
-    """Return the strip next to an azimuth; of two the one on the side, where hair is longer than over the forehead."""
+    """Return the strip nearest to an azimuth; of two the one on the side, where hair is longer than
+    over the forehead.
+    """
     away = [np.cos(np.radians(azimuth_deg - side)) + (1e-3 if side in (LEFT, RIGHT) else 0.0) for side in sides]
     return sides[int(np.argmax(away))]
 
 
-def _hairy(rim: Rim, strip: Strip, reach_mm: float) -> NDArray[np.bool_]:
-    """Return (K,) where a card may begin or end: hair stands out of the rim nearby, and the strip goes on."""
-    beyond = beyond_mm(strip, reach_mm, NEIGHBOURS_MM)
+def _hair_columns(rim: HalfOutline, strip: RimStrip, reach_mm: float) -> NDArray[np.bool_]:
+    """Return where (K,) a card may begin or end: hair stands out nearby, and the strip continues."""
+    beyond = hair_beyond_mm(strip, reach_mm, NEIGHBOURS_MM)
     at = (np.arange(len(rim.free)) * STEP_MM / TEXEL_MM).astype(int)
     hairy = beyond[np.minimum(at, len(beyond) - 1)] > LEAST_MM
     near = binary_dilation(hairy, iterations=round(NEIGHBOURS_MM / STEP_MM))
     return np.asarray(rim.free & near & (at + STATION * STEP_MM / TEXEL_MM < len(beyond)), np.bool_)
 
 
-def _evened(strip: Strip, shell: Shell, vertex: cKDTree, places_m: Array) -> NDArray[np.float32]:
-    """Return a strip (h, w, 4) in the colours of the shell's own texture, as bright as the photo's pixels are apart."""
+def _matched_to_shell(strip: RimStrip, shell: Shell, vertex: cKDTree, places_m: Array) -> NDArray[np.float32]:
+    """Return a strip (h, w, 4) with the colours of the shell's own texture and the photo's contrast."""
     height, width = shell.rgba.shape[:2]
     uv = shell.uv[vertex.query(places_m)[1]]
     column, line = ((uv * (width, height)).astype(int).clip(0, (width - 1, height - 1))).T

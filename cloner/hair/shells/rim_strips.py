@@ -1,4 +1,4 @@
-"""What photos show along the rims of a hair's shell, laid out straight: roots below, ends above, the crown at the left.
+"""Photo strips along the outlines of a hair's shell, unrolled: roots below, ends above, the crown at the left.
 
 Front and back photos show the rim that runs from ear to ear, side photos the one from forehead to nape.
 """
@@ -16,7 +16,7 @@ from scipy.ndimage import gaussian_filter1d, uniform_filter1d
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.shells.mattes import Matte
-from cloner.hair.shells.rims import STEP_MM, Mesh, Rim, rims_of
+from cloner.hair.shells.rims import STEP_MM, HalfOutline, Mesh, half_outlines
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
@@ -49,8 +49,8 @@ END_MM: Final = 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Strip:
-    """What photos show along one half of a rim.
+class RimStrip:
+    """The strip of one half outline.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Strip:
     known: NDArray[np.bool_]
 
 
-def strips_of(
+def make_strips(
     grown: Mesh,
     body_triangles: NDArray[np.int32],
     bodies: Mapping[ViewId, Array],
@@ -72,8 +72,8 @@ def strips_of(
     mattes: Mapping[ViewId, Matte],
     reach_mm: float,
     crown_m: Array,
-) -> dict[int, Strip]:
-    """Return what photos show along the rims, by where around the head (`LEFT` ...); nothing where none tells.
+) -> dict[int, RimStrip]:
+    """Return the strips along the outlines by azimuth (`LEFT` ...); nothing where none is known.
 
     Parameters
     ----------
@@ -84,18 +84,18 @@ def strips_of(
     views : list of HairView
     mattes : mapping of ViewId to Matte
     reach_mm : float
-        How far hair stands out of its core (:func:`cloner.hair.shells.mattes.rim_of`).
+        How far hair stands out of its core (:func:`cloner.hair.shells.mattes.hair_rim_mm`).
     crown_m : (3,)
         A point below the crown, at rest.
     """
-    found: dict[int, Strip] = {}
+    found: dict[int, RimStrip] = {}
     by_view = {view.posed.view: view for view in views if view.flip_m is None}
     shown = [name for name in (*ACROSS, *ALONG) if name in by_view and name in mattes]
     for name in sorted(shown, key=lambda name: not mattes[name].clear):
         view, matte = by_view[name], mattes[name]
         posed = view.to_view(grown[0])
         top = view.to_view(crown_m[None])
-        rims = rims_of((posed, grown[1]), (bodies[name], body_triangles), view.posed.camera, top[0])
+        rims = half_outlines((posed, grown[1]), (bodies[name], body_triangles), view.posed.camera, top[0])
         for rim in rims or ():
             if len(rim.place_px) < FEWEST:
                 continue
@@ -112,27 +112,27 @@ def strips_of(
         return {}
     if {LEFT, RIGHT} <= found.keys():  # heads are as hairy left as right
         found[LEFT], found[RIGHT] = _merged(found[LEFT], found[RIGHT]), _merged(found[RIGHT], found[LEFT])
-    whole = {side: _filled(strip) for side, strip in found.items()}
+    whole = {side: _fill_unknown(strip) for side, strip in found.items()}
     return {side: strip for side, strip in whole.items() if strip is not None}
 
 
-def _without_walls(strips: Mapping[int, Strip], reach_mm: float) -> dict[int, Strip]:
-    """Return strips that do not know columns with far more hair than usual: there a photo shows a wall like hair."""
-    amounts = {side: beyond_mm(strip, reach_mm, BROAD_MM) for side, strip in strips.items()}
+def _without_walls(strips: Mapping[int, RimStrip], reach_mm: float) -> dict[int, RimStrip]:
+    """Return strips without columns of far more hair than usual: there a photo shows a wall like hair."""
+    amounts = {side: hair_beyond_mm(strip, reach_mm, BROAD_MM) for side, strip in strips.items()}
     told = np.concatenate([amounts[side][strip.known] for side, strip in strips.items()])
     shown = told[told > LEAST_MM]
     most = USUAL * float(np.median(shown)) + SLACK_MM if shown.size else np.inf
-    return {side: Strip(strip.rgba, strip.known & (amounts[side] < most)) for side, strip in strips.items()}
+    return {side: RimStrip(strip.rgba, strip.known & (amounts[side] < most)) for side, strip in strips.items()}
 
 
-def beyond_mm(strip: Strip, reach_mm: float, over_mm: float) -> Array:
-    """Return (w,) how much hair a strip's columns show beyond the shell, mm, over so many mm of rim."""
+def hair_beyond_mm(strip: RimStrip, reach_mm: float, over_mm: float) -> Array:
+    """Return how much hair (w,) a strip's columns show beyond the shell, mm, over a length of outline."""
     hair_mm = strip.rgba[: round(reach_mm / TEXEL_MM), :, 3].sum(axis=0) / 255.0 * TEXEL_MM
     return np.asarray(uniform_filter1d(np.where(strip.known, hair_mm, 0.0), round(over_mm / TEXEL_MM)))
 
 
-def _filled(strip: Strip) -> Strip | None:
-    """Return a strip in which the nearest known run goes on, there and back, where no photo tells; None without any."""
+def _fill_unknown(strip: RimStrip) -> RimStrip | None:
+    """Return a strip with unknown runs filled from the nearest known run, mirrored; None without any."""
     edges = np.flatnonzero(np.diff(strip.known.astype(np.int8), prepend=0, append=0)).reshape(-1, 2)
     runs = edges[np.ptp(edges, axis=1) >= round(RUN_MM / TEXEL_MM)]
     if not len(runs):
@@ -142,11 +142,11 @@ def _filled(strip: Strip) -> Strip | None:
     first, end = runs[away.argmin(axis=1)].T
     back = np.mod(columns - first, 2 * (end - first))
     source = first + np.where(back < end - first, back, 2 * (end - first) - 1 - back)
-    return Strip(strip.rgba[:, source], np.ones_like(strip.known))
+    return RimStrip(strip.rgba[:, source], np.ones_like(strip.known))
 
 
-def _strip(rim: Rim, matte: Matte, pixel_m: float, reach_mm: float) -> Strip:
-    """Return one photo's pixels along a rim."""
+def _strip(rim: HalfOutline, matte: Matte, pixel_m: float, reach_mm: float) -> RimStrip:
+    """Return one photo's strip along an outline."""
     columns = round(STEP_MM / TEXEL_MM)
     along = np.arange((len(rim.place_px) - 1) * columns) / columns
     row = np.floor(along).astype(int)
@@ -168,14 +168,14 @@ def _strip(rim: Rim, matte: Matte, pixel_m: float, reach_mm: float) -> Strip:
     known = inside.all(axis=0) & (outer < WALL_SHARE) & (told[away_mm > 0.0].mean(axis=0) > TOLD_SHARE)
     fade = np.clip((reach_mm - away_mm) / (FADE * reach_mm), 0.0, 1.0)
     alpha = alpha * fade[:, None] * gaussian_filter1d(free, END_MM / TEXEL_MM)
-    return Strip(np.dstack([np.where(inside[..., None], rgb, 0.0), 255.0 * alpha]).astype(np.float32), known)
+    return RimStrip(np.dstack([np.where(inside[..., None], rgb, 0.0), 255.0 * alpha]).astype(np.float32), known)
 
 
-def _merged(first: Strip, second: Strip) -> Strip:
-    """Return a strip in which the second tells what the first does not know."""
+def _merged(first: RimStrip, second: RimStrip) -> RimStrip:
+    """Return a strip with the unknown parts of the first filled by the second."""
     width = max(first.rgba.shape[1], second.rgba.shape[1])
     rgba, known = np.zeros((first.rgba.shape[0], width, 4), np.float32), np.zeros(width, np.bool_)
     for strip in (second, first):
         own = np.flatnonzero(strip.known)
         rgba[:, own], known[own] = strip.rgba[:, own], True
-    return Strip(rgba, known)
+    return RimStrip(rgba, known)

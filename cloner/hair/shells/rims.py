@@ -1,4 +1,4 @@
-"""The rim of a hair's shell: where it ends against the air for somebody who looks at it, from its crown down."""
+"""The outline of a hair's shell from a viewpoint, from its crown down both sides."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ MARGIN_PX: Final = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Rim:
+class HalfOutline:
     """One half of an outline, from the crown down on one side.
 
     Attributes
@@ -48,8 +48,8 @@ class Rim:
     free: Mask
 
 
-def rims_of(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[Rim, Rim] | None:
-    """Return the outline's halves on the picture's left and right of the crown, None where no hair is seen.
+def half_outlines(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[HalfOutline, HalfOutline] | None:
+    """Return the outline's halves left and right of the crown, None where no hair is seen.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def rims_of(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[Ri
     above = np.where(line[:, 1] < top[1], np.abs(line[:, 0] - top[0]), np.inf)
     start = int(np.argmin(above)) if np.isfinite(above).any() else int(np.argmin(line[:, 1]))
     ring = np.roll(line, -start, axis=0)
-    outward = _outward(ring)
+    outward = _outward_normals(ring)
     middle = np.where(np.isfinite(front), 0.5 * (front + np.where(np.isfinite(back), back, front)), np.nan)
     halves = []
     for way in (1, -1):
@@ -90,13 +90,13 @@ def rims_of(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[Ri
         inside = np.rint(place - INSIDE_PX * out).astype(int).clip(0, (width - 1, height - 1))
         here = seen[inside[:, 1], inside[:, 0]]
         depth = np.where(here, middle[inside[:, 1], inside[:, 0]], np.nan)
-        halves.append(_rim(place, out, here, depth, (camera, scale, first)))
+        halves.append(_resampled_half(place, out, here, depth, (camera, scale, first)))
     found = sorted(halves, key=lambda rim: float(rim.place_px[: len(rim.place_px) // 2 + 1, 0].mean()))
     return found[0], found[1]
 
 
-def _outward(ring: Array) -> Array:
-    """Return (K, 2) unit directions out of a closed outline, smooth along it."""
+def _outward_normals(ring: Array) -> Array:
+    """Return unit outward normals (K, 2) of a closed outline, smoothed along it."""
     smooth = gaussian_filter1d(ring, WAY_MM / PIXEL_MM, axis=0, mode="wrap")
     along = np.roll(smooth, -1, axis=0) - np.roll(smooth, 1, axis=0)
     along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
@@ -105,8 +105,10 @@ def _outward(ring: Array) -> Array:
     return across if turn > 0.0 else -across
 
 
-def _rim(place: Array, out: Array, here: Mask, depth: Array, frame: tuple[Camera, float, Array]) -> Rim:
-    """Return one half at steps of equal length, its depth smooth where the hair ends and flat elsewhere."""
+def _resampled_half(
+    place: Array, out: Array, here: Mask, depth: Array, frame: tuple[Camera, float, Array]
+) -> HalfOutline:
+    """Return one half in equal steps, with smooth depth where the hair ends and flat elsewhere."""
     camera, scale, first = frame
     place = gaussian_filter1d(place, PLACE_MM / PIXEL_MM, axis=0, mode="nearest")
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(place, axis=0), axis=1))]) * PIXEL_MM
@@ -120,18 +122,18 @@ def _rim(place: Array, out: Array, here: Mask, depth: Array, frame: tuple[Camera
     pixel = (place[at] + first) / scale
     position, forward = camera.position_m, camera.camera_from_model[2, :3]
     near = position + depth[at, None] * forward
-    return Rim(pixel, out[at], camera.back_project(pixel, near), here[at])
+    return HalfOutline(pixel, out[at], camera.back_project(pixel, near), here[at])
 
 
-def beside(camera: Camera, rim: Rim, away_mm: float) -> Array:
-    """Return (K, 3) points beside a rim in its picture's plane, positive outwards."""
+def points_beside(camera: Camera, rim: HalfOutline, away_mm: float) -> Array:
+    """Return points (K, 3) beside an outline in its picture's plane, positive outwards."""
     size_m = np.array([camera.metres_per_pixel(point) for point in rim.place_m])
     pixel = rim.place_px + rim.outward * (m_from_mm(away_mm) / size_m)[:, None]
     return camera.back_project(pixel, rim.place_m)
 
 
-def around(middle_m: Array, azimuth_rad: float) -> Camera:
-    """Return a camera without perspective that looks at a head at rest from so far around it (0 from before)."""
+def camera_around(middle_m: Array, azimuth_rad: float) -> Camera:
+    """Return an orthographic camera that sees a head at rest from an azimuth (0 from the front)."""
     right = np.array([np.cos(azimuth_rad), 0.0, -np.sin(azimuth_rad)])
     toward = np.array([np.sin(azimuth_rad), 0.0, np.cos(azimuth_rad)])
     turn = np.stack([right, (0.0, -1.0, 0.0), -toward])

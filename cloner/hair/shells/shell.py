@@ -1,4 +1,4 @@
-"""What the photos show of a hair's surface becomes a shell: cut at the hairline, charted, painted, soft at its edge."""
+"""A hair's surface made a shell: cut at the hairline, charted, painted, with a soft edge."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ SMALLEST_PIECE: Final = 0.02  # of the largest piece's area (24 people: scraps h
 EDGE_TEXELS: Final = 2  # colours go on so far beyond a part's charts, for what is sampled between texels
 
 
-def shown_part(
+def visible_part(
     views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32], scalp: Scalp | None = None
 ) -> tuple[NDArray[np.int32], NDArray[np.int32], Array]:
-    """Return which vertices (M,) photos show as hair, triangles of those, and how far inside its edge they lie, mm.
+    """Return which vertices (M,) photos show as hair, triangles of those, and their distance inside its edge, mm.
 
     What no photo sees is where the ``scalp`` grows hair; all of it without one.
     """
@@ -54,7 +54,7 @@ def shown_part(
 
 
 def without_scraps(vertices_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.int32]:
-    """Return the triangles (T, 3) without pieces too small beside the largest: they would hang in the air."""
+    """Return the triangles (T, 3) without components that are too small beside the largest."""
     if not len(triangles):
         return triangles
     _, pieces = connected_components(surface_graph(vertices_m, triangles).lengths, directed=False)
@@ -64,7 +64,7 @@ def without_scraps(vertices_m: Array, triangles: NDArray[np.int32]) -> NDArray[n
 
 
 def shell_views(views: list[HairView]) -> list[ShellView]:
-    """Return what photos show of hair as evidence of a shell."""
+    """Return the hair views as views of a shell."""
     return [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
 
 

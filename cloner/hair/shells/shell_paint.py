@@ -1,4 +1,4 @@
-"""A shell's texture, hair or loose clothing: only its own pixels, from all photos."""
+"""The texture of a shell of hair or loose clothing, from its own pixels in all photos."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ BAND_PX = 2.5  # labels are about this many pixels unsure
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShellView:
-    """What one photo shows of a shell.
+    """A shell in one photo.
 
     Attributes
     ----------
@@ -102,19 +102,21 @@ def paint_shell(
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     pictures = _pictures(photos, usable)
     joints = (skin_joints, skin_weights)
-    sights = list(abreast(lambda view: _look(generic, joined, view, vertices_m, *joints, atlas.triangles), usable))
+    sights = list(
+        abreast(lambda view: _visibility(generic, joined, view, vertices_m, *joints, atlas.triangles), usable)
+    )
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
     by_view = reference_index(_shown(usable), CLOTH_REFERENCES) if strands is None else None
     first = int(np.argmax(claims.sum(axis=1) * own)) if by_view is None else by_view
-    light, evened = _evened(pictures, sights, seen, normals, first, own)
-    shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
+    light, evened = _normalised_colours(pictures, sights, seen, normals, first, own)
+    shown = [_ColourSource(*each) for each in zip(pictures, sights, claims, light, strict=True)]
     sure, summed = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
     mean = summed.sum(axis=0) / max(float(sure.sum()), 1e-9)
     ground, weight = np.tile(mean.astype(np.float32), (*atlas.shape, 1)), np.full(atlas.shape, FLOOR, np.float32)
     if strands is None:
-        _flat(ground)[atlas.texel] = atlas.interpolate(_gone_on(graph, sure, summed, mean))
+        _flat(ground)[atlas.texel] = atlas.interpolate(_extended_colours(graph, sure, summed, mean))
     else:
         look = pictures[first], usable[first].mask
         seen_rgb, claim = summed / np.maximum(sure, 1e-9)[:, None], claims.max(axis=0)
@@ -124,7 +126,7 @@ def paint_shell(
 
     def layers() -> Iterator[Layer]:
         yield Layer(ground, weight)
-        yield from (_laid(atlas, one) for one in shown)  # one by one: a layer of 2048 texels takes 64 MiB
+        yield from (_texture_layer(atlas, one) for one in shown)  # one by one: a layer of 2048 texels takes 64 MiB
 
     covered = atlas.covered()
     rgb = push_pull(
@@ -135,8 +137,10 @@ def paint_shell(
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Shown:
-    """A photo as a source of a shell's colour: its picture, and of every vertex sight, claim (N,) and light (N, 3)."""
+class _ColourSource:
+    """A photo as a source of a shell's colour: its picture, and every vertex's visibility, claim (N,)
+    and light (N, 3).
+    """
 
     picture: NDArray[np.uint8]
     sight: Visibility
@@ -150,7 +154,7 @@ def _shown(views: Sequence[ShellView]) -> list[tuple[ViewId, bool]]:
 
 
 def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> list[NDArray[np.uint8]]:
-    """Return the repaired photo of each view; a mirrored one shows the same."""
+    """Return the repaired photo of each view; a mirrored view has the same."""
     shown = {view.posed.view: view for view in reversed(views)}
     repaired = abreast(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
     picture_of = dict(zip(shown, repaired, strict=True))
@@ -158,14 +162,14 @@ def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> lis
 
 
 def _claim(view: ShellView, sight: Visibility) -> Array:
-    """Return (N,) how well a photo shows each vertex, 0 where it does not."""
+    """Return how well (N,) a photo shows each vertex, 0 where it does not."""
     seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
     claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
     near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
     return np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0)
 
 
-def _evened(
+def _normalised_colours(
     pictures: Sequence[NDArray[np.uint8]],
     sights: Sequence[Visibility],
     seen: Sequence[Array],
@@ -173,7 +177,7 @@ def _evened(
     first: int,
     own: NDArray[np.bool_],
 ) -> tuple[list[Array], Array]:
-    """Return each photo's log gains (N, 3) that even light and exposure out, and (K, N, 3) colours with them.
+    """Return each photo's log gains (N, 3) that normalise light and exposure, and colours (K, N, 3) with them.
 
     ``first`` is the photo that keeps its own most.
     """
@@ -188,8 +192,8 @@ def _evened(
     return list(light), np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
 
 
-def _gone_on(graph: SurfaceGraph, sure: Array, summed: Array, mean: Array) -> Array:
-    """Return (N, 3) what photos show, evened out, and what goes on along the surface where none does.
+def _extended_colours(graph: SurfaceGraph, sure: Array, summed: Array, mean: Array) -> Array:
+    """Return the photos' colours (N, 3), extended along the surface where none shows it.
 
     Parameters
     ----------
@@ -204,8 +208,8 @@ def _gone_on(graph: SurfaceGraph, sure: Array, summed: Array, mean: Array) -> Ar
     return graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_coordinates(near))
 
 
-def _laid(atlas: AtlasMap, shown: _Shown) -> Layer:
-    """Return what one photo paints of a shell's texture."""
+def _texture_layer(atlas: AtlasMap, shown: _ColourSource) -> Layer:
+    """Return one photo's layer of a shell's texture."""
     rows = atlas.rows_of(np.any((shown.claim > 0.0)[atlas.triangles], axis=1))
     sight = shown.sight
     table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, shown.claim, shown.light])
@@ -226,13 +230,13 @@ def _flat(image: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def _repaired(rgb: NDArray[np.uint8], view: ShellView) -> NDArray[np.uint8]:
-    """Return the photo in which everything shows the shell's own nearest colour."""
+    """Return the photo with every pixel in the shell's own nearest colour."""
     size = float(np.sqrt(view.mask.sum()))
     own = remove_background_coloured(rgb, view.mask, max(REACH_SHARE * size, 2.0 * BAND_PX))
     return repair_bleeding(rgb, own, BAND_PX)[0]
 
 
-def _look(
+def _visibility(
     generic: GenericHuman,
     joined: Joined,
     view: ShellView,
@@ -241,12 +245,12 @@ def _look(
     skin_weights: Array,
     triangles: NDArray[np.int32],
 ) -> Visibility:
-    """Return the shell as one photo sees it; a mirrored photo sees the mirrored shell."""
+    """Return the shell's visibility in one photo; in a mirrored photo that of the mirrored shell."""
     points, faces = vertices_m, triangles
     if view.flip_m is not None:
         points = points * (-1.0, 1.0, 1.0) + (2.0 * view.flip_m, 0.0, 0.0)
         faces = triangles[:, ::-1]
-        skin_joints = twin_joints(generic)[skin_joints]
+        skin_joints = mirror_joints(generic)[skin_joints]
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.posed.rotations)
     return visibility(
         linear_blend_skinning(points, transforms, skin_joints, skin_weights),
@@ -255,8 +259,8 @@ def _look(
     )
 
 
-def twin_joints(generic: GenericHuman) -> NDArray[np.int32]:
-    """Return (94,) each joint's twin of the other side, itself in the middle."""
+def mirror_joints(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return each joint's counterpart on the other side, itself in the middle, (94,)."""
     names = generic.joint_names
     other = {"l_": "r_", "r_": "l_"}
     return np.array([names.index(other.get(name[:2], name[:2]) + name[2:]) for name in names], np.int32)

@@ -1,4 +1,4 @@
-"""Hair where no photo shows it: the seen colours carried on around the head, with strands as rough as the seen ones."""
+"""Hair where no photo shows it: extended colours with synthetic strands of the same roughness."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ WINDOW_SHARE, WINDOW_PX = 0.03, 5.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Strands:
-    """Made hair, ready to be laid below the photos.
+    """Synthetic hair, as a layer below the photos.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ def grow_strands(
     away = graph.distance_from(trust > 0.5, 10.0 * MEMORY_M)
     near = graph.fill(seen_rgb, trust, FILL_STIFFNESS)
     smooth = mean + (near - mean) * np.exp(-away / MEMORY_M)[:, None]
-    noise = strand_noise(atlas.interpolate(vertices_m - _middle(vertices_m)), curls)
+    noise = strand_noise(atlas.interpolate(vertices_m - _hair_centre(vertices_m)), curls)
     rgb = atlas.interpolate(smooth) + noise[:, None] * rough_rgb.astype(np.float32)
     gap = graph.distance_from(claim >= SEEN_CLAIM, 2.0 * SMALLEST_M) >= SMALLEST_M
     beside = graph.distance_from(gap, SMALLEST_M + REACH_M) - SMALLEST_M
@@ -89,7 +89,7 @@ def grow_strands(
 
 
 def roughness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> Array:
-    """Return (3,) the deviation of a photo's hair (H, W) from its surroundings, levels."""
+    """Return the standard deviation (3,) of a photo's hair (H, W) from its local mean, levels."""
     box = box_around(hair)
     inner = hair[box].astype(np.float32)
     radius = max(ROUGH_SHARE * float(np.sqrt(inner.sum())), 2.0)
@@ -103,7 +103,7 @@ def roughness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> Array:
 
 
 def curliness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> float:
-    """Return 0..1 how far a photo's hair (H, W) is from straight: curls run every way, straight strands one way.
+    """Return 0..1 how curly a photo's hair (H, W) is: curls run in all directions, straight strands in one.
 
     By the coherence of the structure tensor (J. Bigun, G. Granlund, 1987), on hair of one size in pixels.
     """
@@ -126,7 +126,7 @@ def curliness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> float:
 
 
 def strand_noise(points_m: NDArray[np.floating], curls: float = 0.0) -> Picture:
-    """Return (N,) values of about unit deviation, alike along strands that run from the crown down.
+    """Return noise (N,) of about unit deviation, elongated along strands that run from the crown down.
 
     Parameters
     ----------
@@ -142,17 +142,17 @@ def strand_noise(points_m: NDArray[np.floating], curls: float = 0.0) -> Picture:
     down = np.arctan2(ring, along) / np.pi
     around = np.arctan2(rear, side) / (2.0 * np.pi)
     rng = np.random.default_rng(SEED)
-    around = around + TURN / (2.0 * np.pi) * _woven(rng, 14, 5, around, down)
+    around = around + TURN / (2.0 * np.pi) * _stretched_noise(rng, 14, 5, around, down)
     total = np.zeros(len(points_m))
     for cells, rows, part in OCTAVES:
         wide = np.clip(2.0 * np.pi * ring / cells / FINEST_M, 0.0, 1.0)  # at the crown strands end in each other
         short = round(rows * (cells / (2.0 * rows)) ** curls)  # half a turn down, a whole one around
-        total += part * wide * _woven(rng, cells, short, around, down)
+        total += part * wide * _stretched_noise(rng, cells, short, around, down)
     return total.astype(np.float32)
 
 
-def _woven(rng: np.random.Generator, cells: int, rows: int, around: Array, down: Array) -> Array:
-    """Return (N,) smooth noise of unit deviation, periodic around and stretched down the head."""
+def _stretched_noise(rng: np.random.Generator, cells: int, rows: int, around: Array, down: Array) -> Array:
+    """Return smooth noise (N,) of unit deviation, periodic around and stretched down the head."""
     table = rng.standard_normal((rows + 2, cells))
     x, y = (around % 1.0) * cells, np.clip(down, 0.0, 1.0) * rows
     left, top = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
@@ -163,8 +163,8 @@ def _woven(rng: np.random.Generator, cells: int, rows: int, around: Array, down:
     return np.asarray(1.5 * (upper + (lower - upper) * below))
 
 
-def _middle(vertices_m: Array) -> Array:
-    """Return (3,) the middle of the hair's upper part, as wide as it is high: tails hang below the head."""
+def _hair_centre(vertices_m: Array) -> Array:
+    """Return the centre (3,) of the hair's upper part, as wide as it is high: tails hang below the head."""
     top = float(vertices_m[:, 1].max())
     width = float(np.ptp(vertices_m[:, 0]))
     head = vertices_m[vertices_m[:, 1] > top - width]

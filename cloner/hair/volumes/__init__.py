@@ -1,1 +1,1 @@
-"""Where hair is: what every photo says, and hair as a volume."""
+"""Hair as a volume, from the evidence of all photos."""

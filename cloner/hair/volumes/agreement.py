@@ -1,4 +1,4 @@
-"""The line where hair ends is one line on the head: photos that show it in different places stand wrongly.
+"""Agreement of hairlines: one line on the head, so photos that place it differently have a wrong pose.
 
 A face seen from the front places its photo's head; a head seen from aside or behind shows
 no point that a net knows well. Its hairline it shows sharply, and another photo shows part of the same.
@@ -46,7 +46,7 @@ BORDER_PX = 3.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HairField:
-    """One photo's hairline.
+    """The hairline of one photo.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class HairField:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LineReading:
-    """What one photo says of the vertices at the usual hairline, as it stands now.
+    """One photo's hairline at the vertices of the usual hairline, in its present pose.
 
     Attributes
     ----------
@@ -99,7 +99,7 @@ def hair_fields(
 
 
 def hairline_rows(generic: GenericHuman, vertices_m: Array) -> NDArray[np.int64]:
-    """Return the vertices near the scalp's border, where hairlines run; not those of the ears."""
+    """Return the vertices near the scalp's border, where hairlines run, without those of the ears."""
     scalp, bare = generic.region("scalp"), generic.skin
     near_scalp = cKDTree(vertices_m[scalp]).query(vertices_m, distance_upper_bound=BEYOND_M)[0] < BEYOND_M
     near_rest = cKDTree(vertices_m[bare & ~scalp]).query(vertices_m, distance_upper_bound=WITHIN_M)[0] < WITHIN_M
@@ -135,13 +135,13 @@ def read_line(
     return LineReading(away, np.where(good, cosine, 0.0), np.stack(jacobian, axis=1))
 
 
-def agreement(
+def hairline_residuals(
     mesh: BodyMesh,
     lines: Mapping[ViewId, HairField],
     turned: Mapping[ViewId, Callable[[Array], PosedView]],
     angles: Mapping[ViewId, Array],
 ) -> Iterator[Residuals]:
-    """Yield each photo's differences (R,) from what all photos say of the same vertices.
+    """Yield each photo's residuals (R,) against the mean hairline of all photos at the same vertices.
 
     They depend on every photo's angles, as the mean that all are compared with moves too.
 

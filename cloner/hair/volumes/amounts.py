@@ -1,4 +1,4 @@
-"""A photo that shows far less or far more hair than the others has lost it before a wall like it, or stands wrong."""
+"""Photos with far less or far more hair than the others: hair lost before a similar wall, or a wrong pose."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ LEAST, MOST = 0.6, 2.5
 FEWEST: Final = 3
 
 
-def odd_views(views: list[HairView], ears_m: Array) -> dict[ViewId, float]:
-    """Return photos whose hair is not that of the others, with how many times as large it is.
+def inconsistent_views(views: list[HairView], ears_m: Array) -> dict[ViewId, float]:
+    """Return the photos whose amount of hair disagrees with the others, with its ratio.
 
     Parameters
     ----------
@@ -28,7 +28,7 @@ def odd_views(views: list[HairView], ears_m: Array) -> dict[ViewId, float]:
         The head's middle at the height of the ears' tops, at rest.
     """
     hairy = [view for view in views if view.flip_m is None and view.hair.any()]  # a bald front is not odd
-    shown = {view.posed.view: above_mm2(view, ears_m) for view in hairy}
+    shown = {view.posed.view: area_above_ears_mm2(view, ears_m) for view in hairy}
     odd: dict[ViewId, float] = {}
     while len(shown) - len(odd) >= FEWEST:
         kept = {name: area for name, area in shown.items() if name not in odd}
@@ -43,8 +43,8 @@ def odd_views(views: list[HairView], ears_m: Array) -> dict[ViewId, float]:
     return odd
 
 
-def above_mm2(view: HairView, ears_m: Array) -> float:
-    """Return how much of a photo's person stands above the ears, mm2."""
+def area_above_ears_mm2(view: HairView, ears_m: Array) -> float:
+    """Return the area of a photo's person above the ears, mm2."""
     posed = view.to_view(ears_m[None])
     row = int(np.clip(view.posed.camera.project(posed)[0, 1], 0, len(view.outline_px)))
     return float(np.count_nonzero(view.outline_px[:row] > 0.0)) * view.pixel_mm(posed) ** 2

@@ -1,4 +1,4 @@
-"""The hair that follows the head: where it grows, by votes of the photos, and how far its outline stands off."""
+"""The cap of hair that follows the head: where it grows, by votes of the photos, and its thickness."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from cloner.geometry.cameras.seeing import depth_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.tail import Tail
-from cloner.hair.volumes.views import MASK_SCALE, SIDES, HairView, cover_cut
+from cloner.hair.volumes.views import MASK_SCALE, SIDES, HairView, covered_window
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
@@ -48,7 +48,7 @@ PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scalp:
-    """Hair measured on the skin's vertices.
+    """Hair measured at the skin's vertices.
 
     Attributes
     ----------
@@ -84,7 +84,7 @@ def measure_scalp(
     ears: NDArray[np.bool_],
     tail: Tail | None,
 ) -> Scalp:
-    """Return where hair grows and how far it stands off the skin.
+    """Return where hair grows and its thickness over the skin.
 
     No photo can forbid what another shows: heads turn a few degrees between
     photos, and the intersection of all cones would lose a centimetre of hair.
@@ -103,7 +103,7 @@ def measure_scalp(
     """
     lobes_m = points_m[ears].mean(axis=0)
     lobes_m[1] = points_m[ears, 1].min()
-    votes, line = believed_votes(views, points_m, normals, tail, lobes_m)
+    votes, line = label_votes(views, points_m, normals, tail, lobes_m)
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
     total = votes.sum(axis=0)
     mean = (votes * line).sum(axis=0) / np.maximum(total, 1e-9)
@@ -111,20 +111,20 @@ def measure_scalp(
     mean = _with_unseen(graph, scalp, mean, total > 0.0, points_m[:, 1] > points_m[ears, 1].max(initial=-np.inf))
     denied = ((line < -BARE_MM) & (votes > SURE_VOTE)).any(axis=0)
     hidden = (mean > BARE_MM) & (total > SURE_VOTE)
-    beyond = (_grown(scalp, triangles) | _grown(hidden, triangles)) & ~denied & (~ears | hidden)
+    beyond = (_dilated(scalp, triangles) | _dilated(hidden, triangles)) & ~denied & (~ears | hidden)
     growth = graph.smooth((scalp | beyond).astype(float), 1)
     hairy = graph.smooth(np.clip(0.5 + mean / SOFT_MM, 0.0, 1.0) * growth, 1)
     thickness = settle_cap(views, points_m, triangles, hairy, graph)
     # A skull may stand out of the photos' hair: no photo shows it, so it gives way.
     tucked = points_m + normals * m_from_mm(1.0) * np.minimum(thickness - THINNEST_MM * hairy, 0.0)[:, None]
-    thickness = held(np.maximum(thickness, THINNEST_MM), hairy)
+    thickness = rounded_thickness(np.maximum(thickness, THINNEST_MM), hairy)
     return Scalp(tucked, normals, lobes_m, triangles, votes, hairy, growth, thickness)
 
 
 def _with_unseen(
     graph: SurfaceGraph, scalp: NDArray[np.bool_], line_mm: Array, shown: NDArray[np.bool_], high: NDArray[np.bool_]
 ) -> Array:
-    """Return (N,) distances to the hairline, mm, in which scalp that no photo shows is hair if photos show some beside.
+    """Return distances (N,) to the hairline, mm, with unseen scalp as hair if photos show some beside it.
 
     Faces, ears and necks around it are no sign of baldness; the bare top of a head goes on behind.
 
@@ -151,15 +151,15 @@ def _with_unseen(
     return found
 
 
-def held(thickness_mm: Array, hairy: Array) -> Array:
-    """Return thickness (N,) that rises from the hairline in a round edge; without hair there is none."""
+def rounded_thickness(thickness_mm: Array, hairy: Array) -> Array:
+    """Return a thickness (N,) that rises from the hairline in a round edge; zero without hair."""
     inside_mm = np.clip((hairy - 0.5) * SOFT_MM + ROOT_MM, 0.0, VOTE_MM)
     most_mm = VOTE_MM * inside_mm / (VOTE_MM + STEEP_MM - inside_mm)
     return np.asarray(np.clip(thickness_mm, -DEEPEST_MM * (hairy > 0.5), most_mm))
 
 
-def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Return flags grown by rings of triangles."""
+def _dilated(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return flags dilated by rings of triangles."""
     for _ in range(GROWTH_RINGS):
         touched = flags[triangles].any(axis=1)
         flags = flags.copy()
@@ -167,16 +167,16 @@ def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np
     return flags
 
 
-def believed_votes(
+def label_votes(
     views: list[HairView], points_m: Array, normals: Array, tail: Tail | None, lobes_m: Array
 ) -> tuple[Array, NDArray[np.float32]]:
-    """Return (K, N) how much the photos' labels count, and (K, N) what they say (:func:`hairline_mm`).
+    """Return the weights (K, N) of the photos' labels, and their votes (K, N) (:func:`hairline_mm`).
 
     What side photos show of a throat is the curtain of hair before it, unless front photos see the throat covered.
 
     Points (N, 3) are the skin's; ``lobes_m`` (3,) is the middle between the ears' lobes.
     """
-    votes = np.stack([seen_votes(view, points_m, normals, tail) for view in views])
+    votes = np.stack([visibility_weights(view, points_m, normals, tail) for view in views])
     line = np.stack([hairline_mm(view, points_m) for view in views])
     away = points_m - lobes_m
     throat = (away[:, 1] < 0.0) & (away[:, 2] > np.abs(away[:, 0]))  # within 45 degrees of straight ahead
@@ -187,8 +187,8 @@ def believed_votes(
     return votes, line
 
 
-def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
-    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen."""
+def visibility_weights(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
+    """Return the weight (N,) of a photo's labels: squared cosine where the skin is visible."""
     posed = view.to_view(points_m)
     towards = view.posed.camera.position_m - posed
     towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
@@ -204,15 +204,15 @@ def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | Non
 
 
 def covered_share(views: list[HairView], points_m: Array, normals: Array) -> Array:
-    """Return (N,) 0..1 how far photos that see some skin show hair over it instead; zero where none sees it."""
-    votes = np.stack([seen_votes(view, points_m, normals, None) for view in views])
+    """Return 0..1 (N,) how far photos that face some skin show hair over it instead; zero where none faces it."""
+    votes = np.stack([visibility_weights(view, points_m, normals, None) for view in views])
     line = np.stack([hairline_mm(view, points_m) for view in views])
     mean = (votes * line).sum(axis=0) / np.maximum(votes.sum(axis=0), 1e-9)
     return np.where(votes.sum(axis=0) > SURE_VOTE, np.clip(0.5 + mean / BARE_MM, 0.0, 1.0), 0.0)
 
 
 def hairline_mm(view: HairView, points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) signed distance to the hairline in one photo, mm, at most VOTE_MM, positive on the hair's side."""
+    """Return the signed distance (N,) to one photo's hairline, mm, at most VOTE_MM, positive inside the hair."""
     posed = view.to_view(points_m)
     line = sample(view.line_px, view.posed.camera.project(posed))[:, 0].astype(np.float64) * view.pixel_mm(posed)
     return np.asarray(np.clip(line, -VOTE_MM, VOTE_MM), np.float32)
@@ -221,14 +221,14 @@ def hairline_mm(view: HairView, points_m: Array) -> NDArray[np.float32]:
 def settle_cap(
     views: list[HairView], points_m: Array, triangles: NDArray[np.int32], hairy: Array, graph: SurfaceGraph
 ) -> Array:
-    """Return the cap's thickness (N,), mm, with which the head's outlines meet those of the photos.
+    """Return the cap's thickness (N,), mm, that brings the head's outlines to those of the photos.
 
     It is negative where the skull stands out of the photos' hair. The surface is pushed along its normals by the gap
     between its own outline and the photo's, and again, because the rim moves with it. Between outlines the thickness is
     smooth. Where photos disagree it is their mean.
     """
     normals = vertex_normals(points_m, triangles)
-    thickness = held(np.full(len(points_m), FIRST_MM), hairy)
+    thickness = rounded_thickness(np.full(len(points_m), FIRST_MM), hairy)
     for _ in range(ROUNDS):
         surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
         drive, trust, thickest = np.zeros(len(points_m)), np.zeros(len(points_m)), 0.0
@@ -241,12 +241,12 @@ def settle_cap(
             break
         wanted = thickness + drive / np.maximum(trust, 1e-9)
         thickness = graph.fill(wanted[:, None], np.clip(trust, 0.0, 1.0), STIFFNESS)[:, 0]
-        thickness = held(np.minimum(graph.smooth(thickness, 1), thickest), hairy)
+        thickness = rounded_thickness(np.minimum(graph.smooth(thickness, 1), thickest), hairy)
     return thickness
 
 
 def _thickest_mm(wanted_mm: Array, weight: Array, hairy: Array) -> float:
-    """Return how thick one photo's outline may make the cap, mm: hair that is flat in front may be thick behind."""
+    """Return the largest thickness that one photo's outline allows, mm: hair flat in front may be thick behind."""
     sure = wanted_mm[(weight > SURE_RIM) & (hairy > FULL_SHARE)]
     sure = sure if sure.size else wanted_mm[weight > 0.0]
     usual = max(float(np.median(sure)), 0.0) if sure.size else 0.0
@@ -271,7 +271,7 @@ def surface_mm(
 
 
 def outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
-    """Return each photo's gaps (N,) to a surface's outline, mm, and their weights."""
+    """Return each photo's signed distances (N,) to a surface's outline, mm, and their weights."""
     facing = vertex_normals(surface_m, triangles)
     straight = [view for view in views if view.flip_m is None]
     gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
@@ -282,14 +282,14 @@ def outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.
 
 
 def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
-    """Return (N,) how far the photo's outline lies outside the surface's own, mm, and how much that counts."""
+    """Return the distance (N,) of the photo's outline outside the surface's own, mm, and its weight."""
     posed = view.to_view(surface_m)
     camera = view.posed.camera
     towards = camera.position_m - posed
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)
     across = 1.0 - np.abs(np.einsum("nk,nk->n", view.turn(normals), towards))
     pixel, scale = camera.project(posed), view.pixel_mm(posed)
-    own, within = cover_cut(view, surface_m, triangles)
+    own, within = covered_window(view, surface_m, triangles)
     inside = sample(signed_distance(own), within)[:, 0] / MASK_SCALE * scale
     outline, edge = (sample(distance, pixel)[:, 0] * scale for distance in (view.outline_px, view.hair_px))
     gap = outline - inside

@@ -1,4 +1,4 @@
-"""How tall hair stands is one height: photos in which heads nod, or that lose fine hair, are brought to it.
+"""One height of hair: photos with a nodding head, or that lose fine hair, are brought to the median height.
 
 Where photos must agree, the one that shows the lowest crown would cut all hair flat.
 """
@@ -18,8 +18,8 @@ from cloner.records.arrays import Array
 CROWN_MM: Final = 40.0
 
 
-def with_one_crown(views: list[HairView], scalp_m: Array, ears_m: float) -> list[HairView]:
-    """Return photos' evidence with the median photo's height of hair above the ears.
+def align_crowns(views: list[HairView], scalp_m: Array, ears_m: float) -> list[HairView]:
+    """Return the views with the median photo's height of hair above the ears.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def with_one_crown(views: list[HairView], scalp_m: Array, ears_m: float) -> list
         Height of the ears; what is below stays.
     """
     middle = scalp_m.mean(axis=0)[None]
-    tall = {view.posed.view: crown_m(view, middle) - ears_m for view in views if view.flip_m is None}
+    tall = {view.posed.view: crown_height_m(view, middle) - ears_m for view in views if view.flip_m is None}
     known = [height for height in tall.values() if height > 0.0]
     if not known:
         return views
@@ -40,7 +40,7 @@ def with_one_crown(views: list[HairView], scalp_m: Array, ears_m: float) -> list
     ]
 
 
-def crown_m(view: HairView, middle_m: Array) -> float:
+def crown_height_m(view: HairView, middle_m: Array) -> float:
     """Return the height of a photo's highest hair, rest frame, m; minus infinity where it shows none.
 
     Parameters

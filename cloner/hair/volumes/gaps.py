@@ -1,4 +1,4 @@
-"""Gaps between hanging hair and shoulders are closed where a front or back photo shows hair and none anything else.
+"""Gaps between hanging hair and shoulders, closed where a front or back photo shows hair and none anything else.
 
 A shoulder stands some millimetres lower than in the photo, hair some millimetres higher: one saw through between them.
 """
@@ -22,7 +22,7 @@ DOUBT_MM: Final = 4.0
 DEEP_MM: Final = 2.0
 
 
-def without_gaps(
+def close_gaps(
     views: list[HairView],
     found_mm: NDArray[np.float32],
     skin_mm: NDArray[np.float32],
@@ -31,7 +31,7 @@ def without_gaps(
     shape: tuple[int, ...],
     free: NDArray[np.bool_],
 ) -> NDArray[np.float32]:
-    """Return the hair's field (N,), mm, in which gaps between it and the skin are hair.
+    """Return the hair's field (N,), mm, with gaps between it and the skin filled.
 
     Parameters
     ----------

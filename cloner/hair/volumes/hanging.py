@@ -1,4 +1,4 @@
-"""Hair that hangs: what stands off the head's cap, lies on neck and shoulders, or falls over the ears."""
+"""Hanging hair: what stands off the cap, lies on neck and shoulders, or falls over the ears."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ CURTAINS = (1.0, 1.25, 1.5)  # taste: of half the head's width, how far aside ha
 BELOW_EARS_MM = 10.0  # taste: hair that goes on so far below the ears' middle hangs
 
 
-def seen_aside(views: list[HairView]) -> bool:
-    """Return whether a photo shows the head from aside."""
+def has_side_view(views: list[HairView]) -> bool:
+    """Return whether a photo shows the head from the side."""
     return any(view.posed.view.is_side for view in views)
 
 
-def usual_depth_m(scalp: Scalp) -> tuple[float, float]:
-    """Return where hair ends behind and in front (z) if no side photo tells: a drape behind the head, at its roots."""
+def default_depth_m(scalp: Scalp) -> tuple[float, float]:
+    """Return where hair ends behind and in front (z) without a side photo: a drape behind the head, at its roots."""
     hairy = scalp.points_m[scalp.hairy > 0.5, 2]
     front = hairy if hairy.size else scalp.points_m[:, 2]
     return float(scalp.points_m[:, 2].min()) - m_from_mm(DRAPE_MM), float(front.max())
 
 
-def usual_width_m(scalp: Scalp) -> tuple[float, float]:
-    """Return where the head ends aside (x): hair that no photo from front or back tells of is as wide."""
+def default_width_m(scalp: Scalp) -> tuple[float, float]:
+    """Return where hair ends to the side (x) without a front or back photo: as wide as the head."""
     return float(scalp.points_m[:, 0].min()), float(scalp.points_m[:, 0].max())
 
 
@@ -46,7 +46,7 @@ def hanging_mm(
     wide_m: tuple[float, float],
     low_m: float,
 ) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
+    """Return the field (N,) of hair that stands off the cap, hangs, or lies on neck, shoulders or cheeks, mm.
 
     Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin and
     no wider than the head. If no photo shows the head from aside only what goes on below the ears hangs, a flap would
@@ -61,7 +61,7 @@ def hanging_mm(
     deep_m : (float, float)
         As in :func:`agreed_mm`.
     wide_m : (float, float)
-        As of :func:`usual_width_m`.
+        As of :func:`default_width_m`.
     low_m : float
         Height of the ears.
     """
@@ -69,7 +69,7 @@ def hanging_mm(
     rows = np.flatnonzero(skin_mm > -INNER_MM)
     inside, sides = agreed_mm(views, points_m[rows], deep_m)
     drape = DRAPE_MM - skin_mm[rows]
-    if seen_aside(views):
+    if has_side_view(views):
         within = mm_from_m(0.5) * (wide_m[1] - wide_m[0])
         within = within - mm_from_m(1.0) * np.abs(points_m[rows, 0] - 0.5 * (wide_m[0] + wide_m[1]))
         thin = np.where(sides > 1, np.float32(FAR_MM), np.minimum(drape, within))
@@ -89,7 +89,7 @@ def hanging_mm(
 def _behind_mm(
     views: list[HairView], points_m: Array, deep_m: tuple[float, float], wide_m: tuple[float, float], low_m: float
 ) -> NDArray[np.float32]:
-    """Return (N,) how deep points behind neck and back lie in hair that front photos show on both sides of them, mm."""
+    """Return the depth (N,) of points behind neck and back in hair that front photos show on both sides of them, mm."""
     field = np.full(len(points_m), -FAR_MM, np.float32)
     hidden = (points_m[:, 2] < 0.5 * (deep_m[0] + deep_m[1])) & (points_m[:, 1] < low_m)
     rows = np.flatnonzero(hidden & (points_m[:, 0] > wide_m[0]) & (points_m[:, 0] < wide_m[1]))

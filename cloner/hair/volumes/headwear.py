@@ -1,4 +1,4 @@
-"""What is worn on the head and has a volume as hair has: caps, hats, headscarves."""
+"""Headwear with volume: caps, hats, headscarves."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ CAP_OVER_FACE, CAP_OVER_HAIR = 0.1, 0.5  # a cap's middle lies above this share 
 
 
 def headwear(labels: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of what is worn on the head: it has a volume as hair has, unlike glasses and scarves.
+    """Return the pixels (H, W) of headwear with volume, unlike glasses and scarves.
 
     Its pieces lie above nearly all of the face, or above the middle of the hair where a photo shows no face.
     """

@@ -1,4 +1,4 @@
-"""Hair that one photo lost before a wall of its colour, told by the photo from the opposite side."""
+"""Hair that one photo loses before a wall of its colour, restored from the photo of the opposite side."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.volumes.pictures import FAR_MM, distances_px, looks_like
+from cloner.hair.volumes.pictures import FAR_MM, distances_px, similar_colours
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
@@ -22,8 +22,8 @@ STEP_MM = 2.0  # apart, what is asked
 BLUR_MM = 3.0  # colours are told over so much: a lock, no single hair
 
 
-def with_lost_hair(views: list[HairView], photos: Mapping[ViewId, Photo], middle_m: Array) -> list[HairView]:
-    """Return the evidence with hair where a front or back photo has wall that looks like it, and the opposite a person.
+def restore_lost_hair(views: list[HairView], photos: Mapping[ViewId, Photo], middle_m: Array) -> list[HairView]:
+    """Return the views with hair where a front or back photo shows a similar wall, and the opposite one a person.
 
     From before and behind one sees the same outline. Where they contradict each other, who stands before a wall of
     another colour is right.
@@ -49,7 +49,7 @@ def with_lost_hair(views: list[HairView], photos: Mapping[ViewId, Photo], middle
 
 
 def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], middle_m: Array) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of a photo's background that look like its hair and are the person to all opposite photos.
+    """Return the background pixels (H, W) that look like hair and are the person to all opposite photos.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], mi
     scale = view.pixel_mm(middle)
     air = (view.outline_px <= 0.0) & (view.outline_px > -FAR_MM)
     lost, box = np.zeros(air.shape, np.bool_), box_around(air | view.hair)
-    asked = air[box] & looks_like(rgb[box], view.hair[box], BLUR_MM / scale)
+    asked = air[box] & similar_colours(rgb[box], view.hair[box], BLUR_MM / scale)
     step = max(round(STEP_MM / scale), 1)
     coarse = np.argwhere(asked[::step, ::step])
     if not len(coarse):
@@ -82,11 +82,11 @@ def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], mi
     small = cv2.morphologyEx(small, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     size = asked.shape[1], asked.shape[0]
     lost[box] = (cv2.resize(small, size, interpolation=cv2.INTER_NEAREST) > 0) & asked
-    return lost & _joined(view.hair, lost)
+    return lost & _joined_pieces(view.hair, lost)
 
 
-def _joined(hair: NDArray[np.bool_], lost: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) the pieces of both that hold some of the hair: sleeves of its colour are none."""
+def _joined_pieces(hair: NDArray[np.bool_], lost: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the components (H, W) of both that contain hair: sleeves of its colour do not."""
     box, pieces, _ = connected_pieces(hair | lost)
     found = np.zeros(hair.shape, np.bool_)
     found[box] = np.isin(pieces, np.unique(pieces[hair[box]]))

@@ -1,4 +1,4 @@
-"""What one photo shows of hair and of what hides it, as pictures."""
+"""Images of hair, and of what covers it, in one photo."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.cameras.seeing import depth_picture
 from cloner.hair.volumes.headwear import headwear
-from cloner.paint.lookups.posed import pose
+from cloner.paint.lookups.posed import posed_vertices
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label
@@ -31,7 +31,7 @@ MOST_SPREAD = (16.0, 6.0, 6.0)
 
 
 def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
+    """Return the pixels (H, W) of hair or a cap: labelled so, on the person, in components of some size."""
     hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
     small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     box, pieces, figures = connected_pieces(small)
@@ -46,15 +46,15 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
 
 
 def _small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) the small holes in hair: from behind neither ear nor face shows through it, light plays on it."""
+    """Return the small holes (H, W) in hair: from behind they are highlights, neither ear nor face."""
     _, pieces, figures, _ = cv2.connectedComponentsWithStats((~np.pad(hair, 1)).astype(np.uint8), connectivity=4)
     small = figures[:, cv2.CC_STAT_AREA] < LARGEST_HOLE * np.count_nonzero(hair)
     small[[0, pieces[0, 0]]] = False  # the hair itself, and what lies around it
     return np.asarray(small[pieces[1:-1, 1:-1]], np.bool_)
 
 
-def looks_like(rgb: NDArray[np.uint8], seed: NDArray[np.bool_], blur_px: float) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of a photo (H, W, 3) with the colours of the seed (H, W), told over a blur."""
+def similar_colours(rgb: NDArray[np.uint8], seed: NDArray[np.bool_], blur_px: float) -> NDArray[np.bool_]:
+    """Return the pixels (H, W) of a photo (H, W, 3) with the colours of the seed (H, W), after a blur."""
     smooth = cv2.GaussianBlur(rgb, (0, 0), max(blur_px, 0.5))
     colour = cv2.cvtColor(smooth.astype(np.float32) / 255.0, cv2.COLOR_RGB2LAB)
     middle = np.median(colour[seed], axis=0)
@@ -80,7 +80,7 @@ def distances_px(
 
 
 def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W) signed distance to the hairline, px, background counted as the person's nearest pixel."""
+    """Return the signed distance (H, W) to the hairline, px, background taken as the person's nearest pixel."""
     if not hair.any():
         return signed_distance(hair)
     to_hair = cv2.distanceTransform((~hair).astype(np.uint8), cv2.DIST_L2, 3)
@@ -91,12 +91,14 @@ def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.f
 def body_depth_m(
     generic: GenericHuman, joined: Joined, posed: PosedView, clothed: NDArray[np.bool_]
 ) -> NDArray[np.float32]:
-    """Return the depth picture (h, w) of a body in a photo, continued over clothes (H, W) that it shows beside it."""
-    return over_clothes(depth_picture(pose(generic, joined, posed), body_triangles(), posed.camera), clothed)
+    """Return the depth picture (h, w) of a body in a photo, extended over clothes (H, W) beside it."""
+    return extend_over_clothes(
+        depth_picture(posed_vertices(generic, joined, posed), body_triangles(), posed.camera), clothed
+    )
 
 
-def over_clothes(nearest_m: NDArray[np.float32], clothed: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return a depth picture (h, w), inf where nothing is, continued over clothes (H, W) as deep as nearby.
+def extend_over_clothes(nearest_m: NDArray[np.float32], clothed: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return a depth picture (h, w), inf where empty, extended over clothes (H, W) at the depth nearby.
 
     A shoulder larger than the fitted one hides hair too; thin hair that hangs behind it was told to be none.
     """

@@ -1,4 +1,4 @@
-"""How far points lie from where hair ends at their own height: what a photo tells of hair's plan."""
+"""Distances to where hair ends in each row of a photo: the hair's plan at that height."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LONGER = 1.25  # anatomy: heads are so much longer than wide, and so is hair of 
 
 
 def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W, 2) what each pixel's row of hair tells, px; zero outside.
+    """Return the distances (H, W, 2) to both ends of the hair in each row, px; zero outside.
 
     How far the pixel is from the nearer end of the hair in its row, and half of how far all hair of the row reaches: a
     face in front of it does not make it thinner.
@@ -39,13 +39,13 @@ def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
 
 
 def across_mm(view: HairView, rows_px: NDArray[np.float32], points_m: Array) -> NDArray[np.float32]:
-    """Return (N, 2) of rest points, mm, what a view's picture (H, W, 2) of :func:`across_px` tells."""
+    """Return for rest points (N, 2), mm, a view's picture (H, W, 2) from :func:`across_px`."""
     posed = view.to_hair(points_m)
     return np.asarray(sample(rows_px, view.posed.camera.project(posed)) * view.pixel_mm(posed), np.float32)
 
 
 def rounded_mm(front: NDArray[np.float32], side: NDArray[np.float32], most_mm: float) -> NDArray[np.float32]:
-    """Return (N,) how deep points lie in a plan whose corners are round, mm.
+    """Return the depth (N,) of points in a plan with round corners, mm.
 
     Hair is as round as it is thick: a head by half its width, a curtain down a back by half its own thickness.
 
@@ -64,7 +64,7 @@ def rounded_mm(front: NDArray[np.float32], side: NDArray[np.float32], most_mm: f
 def agreed_mm(
     views: list[HairView], points_m: Array, deep_m: tuple[float, float]
 ) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
-    """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, and how many sides judge.
+    """Return the depth (N,) of points in the hair on which photos of all sides agree, mm, and the number of sides.
 
     As `hull_mm`, but two photos of one side are heard together, the body's more, as its camera is known better: one may
     show the head displaced, one may have lost dark hair before a dark wall. Level by level the sides' cones meet in a

@@ -1,4 +1,4 @@
-"""The finished shell of hair, moved until its outlines are those of the photos."""
+"""The finished hair shell, moved until its outlines are those of the photos."""
 
 from __future__ import annotations
 
@@ -39,31 +39,31 @@ def settle_shell(
         No vertex is pushed nearer to the skin than this.
     """
     graph, start_m = surface_graph(vertices_m, triangles), vertices_m
-    clear_mm, outward = _clear_mm(skin, start_m)
+    clear_mm, outward = _skin_distance_mm(skin, start_m)
     moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(clear_mm, least_mm)
     known = clear_mm > -DEEPEST_MM  # deeper: below the neck, beside what is known
     facing = np.einsum("nc,nc->n", outward, vertex_normals(start_m, triangles))
     outer = (facing > 0.0) | (clear_mm > WALL_MM)
     for _ in range(SHELL_ROUNDS):
-        drive, trust = (outer * each for each in outline_drive(views, vertices_m, triangles))
+        drive, trust = (outer * each for each in outline_forces_mm(views, vertices_m, triangles))
         gap = drive / np.maximum(trust, 1e-9)
         wanted_mm = moved_mm + gap[:, None] * vertex_normals(vertices_m, triangles)
         moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
         vertices_m = start_m + m_from_mm(1.0) * moved_mm
-        clear_mm, outward = _clear_mm(skin, vertices_m)
+        clear_mm, outward = _skin_distance_mm(skin, vertices_m)
         inside = known & (clear_mm < floor_mm)
         vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (floor_mm - clear_mm), 0.0)[:, None] * outward
     return vertices_m
 
 
-def _clear_mm(skin: tuple[Array, Array], points_m: Array) -> tuple[Array, Array]:
-    """Return how far points stand off the skin (N,), mm, and which way is off it (N, 3)."""
+def _skin_distance_mm(skin: tuple[Array, Array], points_m: Array) -> tuple[Array, Array]:
+    """Return the distance (N,) of points from the skin, mm, and the direction away from it (N, 3)."""
     away, rows, weight = surface_mm(*skin, points_m)
     return away.astype(np.float64), np.einsum("nk,nkc->nc", weight, skin[1][rows])
 
 
-def outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
-    """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
+def outline_forces_mm(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+    """Return the sum (N,) of the displacements that photos ask of a surface, mm, and of their weights."""
     drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
     for gap, weight in outline_gaps(views, surface_m, triangles):
         drive += weight * gap

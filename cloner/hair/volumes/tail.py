@@ -1,4 +1,4 @@
-"""Hair that stands free of the head (tails, plaits) from side and back photos."""
+"""Free hair (tails, plaits) from side and back photos."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.pictures import FAR_MM
-from cloner.hair.volumes.views import SIDES, HairView, cover
+from cloner.hair.volumes.views import SIDES, HairView, covered_by_surface
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 
@@ -27,7 +27,7 @@ SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Tail:
-    """Free hair that one side photo shows, thought round.
+    """Free hair in one side photo, assumed round.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Tail:
     ratio: float
 
     def inside_mm(self, points_m: Array) -> NDArray[np.float32]:
-        """Return (N,) how deep points lie inside the tail, millimetres; -FAR_MM outside the picture."""
+        """Return the depth (N,) of points inside the tail, millimetres; -FAR_MM outside the picture."""
         posed = self.view.to_view(points_m)
         pixel = self.view.posed.camera.project(posed)
         height, width = self.half_px.shape
@@ -61,7 +61,7 @@ class Tail:
         return np.where(shown, across, -FAR_MM).astype(np.float32)
 
     def holds(self, points_m: Array) -> NDArray[np.bool_]:
-        """Return (N,) the points in which the side photo shows the tail: it alone says what is hair there."""
+        """Return the points (N,) in which the side photo shows the tail: it alone decides there."""
         pixel = self.view.posed.camera.project(self.view.to_view(points_m))
         return np.asarray(sample(self.half_px, pixel)[:, 0] > 0.0)
 
@@ -85,18 +85,18 @@ def find_tail(views: list[HairView], cap_m: Array, triangles: NDArray[np.int32],
         for view in views:
             if view.posed.view is not wanted or view.flip_m is not None:
                 continue
-            head = covered(view, cap_m, triangles)
+            head = covered_pixels(view, cap_m, triangles)
             free = free_hair(view, head, cap_m)
             if not behind:
                 free = free & hangs_clear(view, free, head, cap_m)
             course = tail_course(views, view, free, cap_m.mean(axis=0), middle_m) if free.any() else None
             if course is not None:
-                return Tail(view, half_width(view, free, head), *course)
+                return Tail(view, strand_half_width(view, free, head), *course)
     return None
 
 
-def half_width(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W) half the width of a round strand across the picture, px, negative outside.
+def strand_half_width(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return half the width (H, W) of a round strand across the picture, px, negative outside.
 
     At distance d from the edge of a strand with half thickness R it is
     sqrt(d (2 R - d)). Where the strand meets the head there is no edge; it runs on below the cap.
@@ -115,15 +115,15 @@ def half_width(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_])
     return np.asarray(np.where(zone, half, -outside), np.float32)
 
 
-def covered(view: HairView, cap_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Return (H, W) pixels that body or cap cover."""
+def covered_pixels(view: HairView, cap_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return the pixels (H, W) that body or cap cover."""
     height, width = view.hair.shape
-    both = (cover(view, cap_m, triangles) | np.isfinite(view.nearest_m)).astype(np.uint8)
+    both = (covered_by_surface(view, cap_m, triangles) | np.isfinite(view.nearest_m)).astype(np.uint8)
     return np.asarray(cv2.resize(both, (width, height), interpolation=cv2.INTER_NEAREST) > 0)
 
 
 def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[np.bool_]:
-    """Return (H, W) hair pixels of a side photo beside body and cap, if there is enough to hang.
+    """Return the hair pixels (H, W) of a side photo beside body and cap, if there is enough to hang.
 
     What stands above the head hangs from nothing: the dome of a cap, which all photos see, would be a knob of one.
     """
@@ -144,7 +144,7 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
 
 
 def hangs_clear(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_], cap_m: Array) -> NDArray[np.bool_]:
-    """Return (H, W) the pieces of free hair with air between them and the head in enough of their rows.
+    """Return the components (H, W) of free hair with air between them and the head in enough rows.
 
     Where no photo of the back tells a tail from thick hair, which lies on the head all the way down. A tail's root
     and the hair of the nape may be one piece with it: then the air lies between two parts of its row.
@@ -166,7 +166,7 @@ def hangs_clear(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_]
 def tail_course(
     views: list[HairView], side: HairView, free: NDArray[np.bool_], head_m: Array, middle_m: float
 ) -> tuple[Callable[[Array], Array], Callable[[Array], Array], float] | None:
-    """Return a tail's middle x and half width as functions of height, metres, and its width against its depth.
+    """Return a tail's middle x and half width as functions of height, metres, and the ratio of its width to its depth.
 
     All come from the rows of the back photo in which the tail stands alone; where it nowhere does, long hair hangs
     loose: None.

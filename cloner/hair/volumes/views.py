@@ -1,4 +1,4 @@
-"""What every photo says about where hair is and is not: the hair's visual hull."""
+"""The photos' evidence of hair and no hair: its visual hull."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ SIDES = (
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Hanger:
-    """What carries hair: the skull, and further down partly neck and chest.
+class HairSkinning:
+    """Skinning of hair: the skull, and further down partly neck and chest.
 
     Attributes
     ----------
@@ -52,8 +52,8 @@ class Hanger:
     heights_m: Array
 
     @classmethod
-    def of(cls, generic: GenericHuman, joined: Joined) -> Hanger:
-        """Return the hanger of a person."""
+    def of(cls, generic: GenericHuman, joined: Joined) -> HairSkinning:
+        """Return the skinning for a person."""
         index = [generic.joint_names.index(name) for name in ("skullbase", "vc4", "vt1", "skullbase")]
         return cls(np.array(index, np.int32), np.asarray(joined.joints_m[index[:3], 1], np.float64))
 
@@ -80,7 +80,7 @@ class Hanger:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HairView:
-    """One photo's evidence of hair.
+    """Evidence of hair in one photo.
 
     Attributes
     ----------
@@ -109,7 +109,7 @@ class HairView:
 
     posed: PosedView
     transforms: Array
-    hanger: Hanger
+    hanger: HairSkinning
     nearest_m: NDArray[np.float32]
     hair: NDArray[np.bool_]
     hair_px: NDArray[np.float32]
@@ -121,18 +121,18 @@ class HairView:
     taller: float = 1.0
 
     def to_hair(self, points_m: Array) -> Array:
-        """Return (N, 3) rest points where this photo shows the hair that all photos together show in them."""
+        """Return the rest points (N, 3) at which this photo shows the hair that all photos place at some points."""
         higher = np.maximum(points_m[:, 1] - self.above_m, 0.0) * (self.taller - 1.0)
         return self.to_view(points_m + higher[:, None] * (0.0, 1.0, 0.0))
 
     def to_view(self, points_m: Array) -> Array:
-        """Return (N, 3) rest points as they stand in this photo."""
+        """Return rest points (N, 3) in this photo's pose."""
         if self.flip_m is not None:
             points_m = points_m * (-1.0, 1.0, 1.0) + (2.0 * self.flip_m, 0.0, 0.0)
         return self._hung(points_m)
 
     def _hung(self, points_m: Array) -> Array:
-        """Return (N, 3) rest points carried by skull, neck and chest: skinning by three joints only."""
+        """Return rest points (N, 3) skinned by skull, neck and chest only."""
         found = np.zeros_like(points_m)
         for weight, joint in zip(self.hanger.shares(points_m), self.hanger.joints[:3], strict=True):
             if weight.any():
@@ -143,7 +143,7 @@ class HairView:
         return found
 
     def to_rest(self, posed_m: Array) -> Array:
-        """Return (N, 3) posed points as they rest (not mirrored back)."""
+        """Return posed points (N, 3) at rest (not mirrored back)."""
         turn = self.transforms[self.hanger.joints[0], :3, :3]
         points = (posed_m - self.transforms[self.hanger.joints[0], :3, 3]) @ turn
         for _ in range(INVERSE_ROUNDS):
@@ -151,17 +151,17 @@ class HairView:
         return np.asarray(points)
 
     def pixel_mm(self, posed_m: Array) -> float:
-        """Return the size of a pixel where (N, 3) posed points are, millimetres."""
+        """Return the size of a pixel at posed points (N, 3), millimetres."""
         return mm_from_m(self.posed.camera.metres_per_pixel(posed_m.mean(axis=0)))
 
     def turn(self, normals: Array) -> Array:
-        """Return (N, 3) rest directions as they stand in this photo."""
+        """Return rest directions (N, 3) in this photo's pose."""
         if self.flip_m is not None:
             normals = normals * (-1.0, 1.0, 1.0)
         return np.asarray(normals @ self.transforms[self.hanger.joints[0], :3, :3].T)
 
     def evidence(self, points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-        """Return how deep points lie inside the hair's outline (N,), mm, and which the photo can judge (N,).
+        """Return the depth (N,) of points inside the hair's outline, mm, and which the photo can judge (N,).
 
         It judges what is in the picture and not behind the body: if it shows no hair there, there is none.
         """
@@ -178,7 +178,7 @@ def hair_views(
     generic: GenericHuman, joined: Joined, proposals: Proposals, silhouettes: SilhouetteSet
 ) -> list[HairView]:
     """Return every photo's evidence; side photos also mirrored for the half they do not show."""
-    hanger = Hanger.of(generic, joined)
+    hanger = HairSkinning.of(generic, joined)
     middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
 
     def seen(view: ViewId) -> HairView:
@@ -197,8 +197,8 @@ def hair_views(
     return found
 
 
-def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) how deep points lie in the hair's visual hull, millimetres, positive inside.
+def visual_hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
+    """Return the depth (N,) of points in the hair's visual hull, millimetres, positive inside.
 
     A point is hair when no photo that can judge it shows something else there
     and at least one photo shows hair. Negative = outside; -FAR where no photo judges.
@@ -212,8 +212,8 @@ def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
     return np.where(judged, worst, np.float32(-FAR_MM))
 
 
-def cover(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Return (h, w) the pixels that a surface covers, at MASK_SCALE of the photo."""
+def covered_by_surface(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return the pixels (h, w) that a surface covers, at MASK_SCALE of the photo."""
     camera = view.posed.camera
     size = int(camera.height_px * MASK_SCALE), int(camera.width_px * MASK_SCALE)
     pixel = (camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5
@@ -221,10 +221,10 @@ def cover(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDA
     return np.isfinite(nearest_depth(np.clip(pixel, -1e4, 1e4), depth, triangles, size[1], size[0]))
 
 
-def cover_cut(
+def covered_window(
     view: HairView, surface_m: Array, triangles: NDArray[np.int32]
 ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
-    """Return :func:`cover` cut to the surface, with a pixel of air where the photo goes on, and the vertices in it.
+    """Return :func:`covered_by_surface` cropped to the surface with a pixel of margin, and the vertices in it.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""The hair as a volume: a cap of measured thickness, free tails and hanging hair in one field."""
+"""The hair field: a cap of measured thickness, free tails and hanging hair."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from scipy.spatial import cKDTree
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, VOTE_MM, Scalp, believed_votes, hairline_mm, surface_mm
-from cloner.hair.volumes.gaps import without_gaps
-from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m, usual_width_m
+from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, VOTE_MM, Scalp, hairline_mm, label_votes, surface_mm
+from cloner.hair.volumes.gaps import close_gaps
+from cloner.hair.volumes.hanging import INNER_MM, default_depth_m, default_width_m, hanging_mm, has_side_view
 from cloner.hair.volumes.pictures import FAR_MM
 from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
-from cloner.hair.volumes.views import HairView, hull_mm
+from cloner.hair.volumes.views import HairView, visual_hull_mm
 from cloner.records.arrays import Array
 
 LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
@@ -39,8 +39,8 @@ CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Near:
-    """Grid points against the skin.
+class NearSkin:
+    """Grid points relative to the nearest skin.
 
     Attributes
     ----------
@@ -66,8 +66,8 @@ def voxels(low_m: Array, high_m: Array) -> tuple[Array, tuple[int, ...]]:
     return low_m + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3), shape
 
 
-def near_skin(scalp: Scalp, points_m: Array) -> Near:
-    """Return points with what the nearest four skin vertices say, weighted by closeness."""
+def near_skin(scalp: Scalp, points_m: Array) -> NearSkin:
+    """Return points with the values of the four nearest skin vertices, weighted by closeness."""
     skin, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
     # Planes of a skin far below lie askew: hair's outside is told by its own.
     thickness = np.maximum(scalp.thickness_mm, FILM_MM)
@@ -82,7 +82,7 @@ def near_skin(scalp: Scalp, points_m: Array) -> Near:
     away_m = np.linalg.norm(points_m - scalp.points_m[rows[:, 0]], axis=1)
     least = mm_from_m(1.0) * (away_m - longest_sides(scalp.points_m, scalp.triangles)[rows[:, 0]])
     least -= thickness[rows].max(axis=1)
-    return Near(
+    return NearSkin(
         points_m,
         skin,
         np.maximum(cap, least).astype(np.float32),
@@ -93,21 +93,21 @@ def near_skin(scalp: Scalp, points_m: Array) -> Near:
     )
 
 
-def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
-    """Return (N,) the field of the hair that follows the head, mm.
+def cap_mm(views: list[HairView], near: NearSkin) -> NDArray[np.float32]:
+    """Return the field (N,) of the hair that follows the head, mm.
 
     Thickness bounds it outwards. It runs on as a film beyond the hairline, where the texture fades it out:
     labels are as fine as photos, voxels are not.
     """
     field = np.minimum(-near.cap_mm, near.skin_mm + INNER_MM)
     rows = np.flatnonzero(field > -CLIP_MM)
-    line = voted_line_mm(views, near, rows) + BEYOND_MM
+    line = voted_hairline_mm(views, near, rows) + BEYOND_MM
     field[rows] = np.minimum(field[rows], np.minimum(line, (near.growth[rows] - 0.5) * GROWTH_MM))
     return np.asarray(field, np.float32)
 
 
-def lying_mm(views: list[HairView], lain: Near) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that lies on neck, shoulders and back, mm: no wider than body photos show hair.
+def lying_hair_mm(views: list[HairView], lain: NearSkin) -> NDArray[np.float32]:
+    """Return the field (N,) of hair that lies on neck, shoulders and back, mm: no wider than in body photos.
 
     Photos vote on the skin, but none sees the top of a shoulder well: a side photo of the face, in which shoulders
     hang in no known pose, may show the hair behind it in its place.
@@ -118,15 +118,15 @@ def lying_mm(views: list[HairView], lain: Near) -> NDArray[np.float32]:
     if not rows.size:
         return field
     above_m = m_from_mm(1.0) * (LIFT_MM - lain.skin_mm[rows])
-    wide = hull_mm(across, lain.points_m[rows] + above_m[:, None] * lain.outward[rows])
+    wide = visual_hull_mm(across, lain.points_m[rows] + above_m[:, None] * lain.outward[rows])
     field[rows] = np.where(wide > -FAR_MM, np.minimum(field[rows], wide + VOTE_MM), field[rows])
     return field
 
 
-def lying_near(body: tuple[Array, Array], votes: Array, points_m: Array) -> Near:
-    """Return points against hair that lies on the body, as thick everywhere: photos that see it say where it is."""
+def near_lying_hair(body: tuple[Array, Array], votes: Array, points_m: Array) -> NearSkin:
+    """Return points relative to hair of even thickness on the body; photos that see it vote on where it is."""
     skin, rows, weight = surface_mm(*body, points_m)
-    return Near(
+    return NearSkin(
         points_m,
         skin,
         skin - np.float32(LYING_MM),
@@ -138,12 +138,12 @@ def lying_near(body: tuple[Array, Array], votes: Array, points_m: Array) -> Near
 
 
 def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that stands out over the hairline, mm: thick as inside it, where photos agree.
+    """Return the field (N,) of hair that overhangs the hairline, mm: as thick as inside it, where photos agree.
 
     There is none where no photo shows the head from aside: nothing would end it in front.
     """
     full = scalp.hairy > FULL_SHARE
-    if not full.any() or not seen_aside(views):
+    if not full.any() or not has_side_view(views):
         return np.full(len(points_m), -CLIP_MM, np.float32)
     thickness = scalp.thickness_mm[full]
     reach = m_from_mm(float(thickness.max()) + CLIP_MM)
@@ -152,12 +152,12 @@ def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray
     field = np.full(len(points_m), -CLIP_MM, np.float32)
     round_mm = thickness[row[rows]] - mm_from_m(1.0) * gap[rows]
     near = rows[round_mm > -CLIP_MM]
-    field[near] = np.minimum(round_mm[round_mm > -CLIP_MM], hull_mm(views, points_m[near]) + OVERHANG_DOUBT_MM)
+    field[near] = np.minimum(round_mm[round_mm > -CLIP_MM], visual_hull_mm(views, points_m[near]) + OVERHANG_DOUBT_MM)
     return field
 
 
-def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) -> NDArray[np.float32]:
-    """Return (R,) distance along the skin to the hairline of some points, mm, positive on the hair's side.
+def voted_hairline_mm(views: list[HairView], near: NearSkin, rows: NDArray[np.int64]) -> NDArray[np.float32]:
+    """Return the distance (R,) along the skin to the voted hairline, mm, positive on the hair's side.
 
     Labels are read a little above the skin, also for points below it.
     """
@@ -172,7 +172,7 @@ def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) ->
 
 
 def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) the field of a tail, mm, without what front photos do not show as hair.
+    """Return the field (N,) of a tail, mm, without what front photos do not show as hair.
 
     In a side photo a crown that stands over its cap looks like a strand in the head's middle: a knob.
     """
@@ -180,7 +180,7 @@ def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.fl
     rows = np.flatnonzero(field > -CLIP_MM)
     front = [view for view in views if view.posed.view.is_front]
     if front and rows.size:
-        seen = hull_mm(front, points_m[rows])
+        seen = visual_hull_mm(front, points_m[rows])
         judged = seen > -FAR_MM  # behind head and shoulders no front photo sees a tail
         field[rows] = np.where(judged, np.minimum(field[rows], seen + TAIL_DOUBT_MM), field[rows])
     return field
@@ -215,32 +215,32 @@ def hair_field(
     """
     surface = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
     tail = find_tail(views, surface, scalp.triangles, middle_m)
-    votes, line = believed_votes(views, *body, tail, scalp.lobes_m)
+    votes, line = label_votes(views, *body, tail, scalp.lobes_m)
     lying = body[0][((votes * line).sum(axis=0) > 0.0) & (body[0][:, 1] < hang_below_m)]
-    points, rows, shape = _worthwhile(views, scalp, lying, tail, low_m, high_m)
+    points, rows, shape = _candidate_points(views, scalp, lying, tail, low_m, high_m)
     field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
     skin = np.full(field.shape, np.float32(FAR_MM))
     near = near_skin(scalp, points)
-    lain = lying_near(body, votes, points)
+    lain = near_lying_hair(body, votes, points)
     skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
     grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
-    hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp), usual_width_m(scalp), hang_below_m)
-    hanging = np.where(low, np.maximum(hanging, lying_mm(views, lain)), hanging)
+    hanging = hanging_mm(views, points, skin_mm, default_depth_m(scalp), default_width_m(scalp), hang_below_m)
+    hanging = np.where(low, np.maximum(hanging, lying_hair_mm(views, lain)), hanging)
     if tail is not None:
         grown = np.maximum(grown, tail_mm(views, tail, points))
         hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
-    found = np.where(_held_by(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
+    found = np.where(_attached_to(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
     free = np.zeros(len(points), np.bool_) if tail is None else tail.inside_mm(points) > -BESIDE_TAIL_MM
-    found = without_gaps(views, np.asarray(found, np.float32), skin_mm, points, rows, shape, free)
+    found = close_gaps(views, np.asarray(found, np.float32), skin_mm, points, rows, shape, free)
     field[rows] = np.clip(found, -CLIP_MM, CLIP_MM)
     skin[rows] = skin_mm
     return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)
 
 
-def _held_by(
+def _attached_to(
     grown: NDArray[np.float32], hanging: NDArray[np.float32], rows: NDArray[np.int64], shape: tuple[int, ...]
 ) -> NDArray[np.bool_]:
-    """Return (N,) which points beside the hair that grows are hair hanging from it, and no speck.
+    """Return which points (N,) beside growing hair are hair that hangs from it, without specks.
 
     Collars, shadows and bags that are labelled hair hang from nothing.
     """
@@ -257,10 +257,10 @@ def _held_by(
     return np.asarray((locks > 0) & held[pieces] & large[locks], np.bool_)
 
 
-def _worthwhile(
+def _candidate_points(
     views: list[HairView], scalp: Scalp, lying_m: Array, tail: Tail | None, low_m: Array, high_m: Array
 ) -> tuple[Array, NDArray[np.int64], tuple[int, ...]]:
-    """Return grid points near possible hair (N, 3), their flat rows, and the grid's shape.
+    """Return grid points near possible hair (N, 3), their flat indices, and the grid's shape.
 
     A coarse grid is tried first; nine tenths of the box hold nothing.
     """
@@ -269,7 +269,7 @@ def _worthwhile(
     middle = [low_m[k] + (np.arange(cells[k]) * COARSE + 0.5 * (COARSE - 1)) * VOXEL_M for k in range(3)]
     coarse = np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 3)
     radius_mm = mm_from_m(COARSE * VOXEL_M)
-    wanted = np.maximum(hull_mm(views, coarse), agreed_mm(views, coarse, usual_depth_m(scalp))[0]) > -radius_mm
+    wanted = np.maximum(visual_hull_mm(views, coarse), agreed_mm(views, coarse, default_depth_m(scalp))[0]) > -radius_mm
     if tail is not None:
         wanted |= tail.inside_mm(coarse) > -radius_mm
     for skin_m, thick_mm in ((scalp.points_m[scalp.hairy > 0.0], float(scalp.thickness_mm.max())), (lying_m, LYING_MM)):

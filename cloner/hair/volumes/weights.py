@@ -1,4 +1,6 @@
-"""What carries hair: the head what grows there or hangs free, neck, shoulders and chest what lies on them."""
+"""Skinning weights of hair: the head for what grows there or hangs free; neck, shoulders and chest for what lies on
+them.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ from scipy.spatial import cKDTree
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import dense_weights, strongest_weights
 from cloner.geometry.meshes.graphs import surface_graph
-from cloner.hair.volumes.views import Hanger
+from cloner.hair.volumes.views import HairSkinning
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 
@@ -35,7 +37,7 @@ def hair_weights(generic: GenericHuman, joined: Joined, vertices_m: Array, trian
     vertices_m : (N, 3)
     triangles : (T, 3) int32
     """
-    hanger = Hanger.of(generic, joined)
+    hanger = HairSkinning.of(generic, joined)
     joints, weights = hanger.weights(vertices_m)
     _, neck_m, chest_m = hanger.heights_m
     below = np.clip((neck_m - vertices_m[:, 1]) / max(neck_m - chest_m, 1e-6), 0.0, 1.0)

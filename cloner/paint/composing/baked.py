@@ -1,4 +1,4 @@
-"""An atlas, or a tile of it, while it is made."""
+"""An atlas, or a tile of it, under construction."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ PLAIN_RGB = (190, 160, 145)  # taste: what a person is painted with whom no phot
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Baked:
-    """An atlas, or a tile of it, while it is made: its arrays may still be written to.
+class AtlasInProgress:
+    """An atlas, or a tile of it, under construction: its arrays are still writable.
 
     Attributes
     ----------
@@ -32,19 +32,21 @@ class Baked:
     covered: NDArray[np.bool_]
     seen: NDArray[np.bool_]
 
-    def doubled(self) -> Baked:
-        """Return the same picture of twice as many texels a side."""
+    def doubled(self) -> AtlasInProgress:
+        """Return the same picture with twice as many texels a side."""
         size = (2 * self.rgb.shape[1], 2 * self.rgb.shape[0])
         covered, seen = (flags.repeat(2, axis=0).repeat(2, axis=1) for flags in (self.covered, self.seen))
-        return Baked(np.asarray(cv2.resize(self.rgb, size, interpolation=cv2.INTER_LINEAR), np.uint8), covered, seen)
+        return AtlasInProgress(
+            np.asarray(cv2.resize(self.rgb, size, interpolation=cv2.INTER_LINEAR), np.uint8), covered, seen
+        )
 
 
-def blank(size: int) -> Baked:
+def blank_atlas(size: int) -> AtlasInProgress:
     """Return an atlas without charts."""
     covered, seen = np.zeros((2, size, size), bool)
-    return Baked(np.tile(np.array(PLAIN_RGB, np.uint8), (size, size, 1)), covered, seen)
+    return AtlasInProgress(np.tile(np.array(PLAIN_RGB, np.uint8), (size, size, 1)), covered, seen)
 
 
-def unpainted(generic: GenericHuman, size: int) -> Baked:
-    """Return the atlas of a person whom no photo shows."""
-    return replace(blank(size), covered=generic_atlas(generic, size).covered())
+def unpainted_atlas(generic: GenericHuman, size: int) -> AtlasInProgress:
+    """Return the atlas of a person without any photo."""
+    return replace(blank_atlas(size), covered=generic_atlas(generic, size).covered())

@@ -15,10 +15,10 @@ from cloner.generic.photo_shares import head_weight
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.charts.partition import blend_weights, partition_surface
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.composing.baked import Baked, blank
+from cloner.paint.composing.baked import AtlasInProgress, blank_atlas
 from cloner.paint.composing.grain import coarse_tiles
 from cloner.paint.composing.tiles import Tile, cut_tiles
-from cloner.paint.lookups.materials import SQUARE, Materials, goes_on, shows_garment
+from cloner.paint.lookups.materials import SQUARE, Materials, continues, shows_garment
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, covered_by_hair, shown_colours, visible_points
 from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept
@@ -46,10 +46,10 @@ Painted = tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]
 """Texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
 
 
-def share_surface(
+def blend_shares(
     generic: GenericHuman, sources: list[Source], graph: SurfaceGraph, *, band_m: float, head_band_m: float
 ) -> Array:
-    """Return (K, V) shares of the sources, mixing over bands along the borders of their regions."""
+    """Return the blend weights (K, V) of the sources, with bands along the borders of their regions."""
     scores = np.stack([source.score for source in sources])
     owner = partition_surface(scores, graph, smoothing=OWNER_SMOOTHING)
     head = head_weight(generic)
@@ -59,7 +59,7 @@ def share_surface(
 
 
 def blend_levels(size: int) -> int:
-    """Return the pyramid levels of an atlas of ``size`` texels a side: its coarsest pixel is as wide as the bands.
+    """Return the pyramid levels for an atlas of ``size`` texels a side: its coarsest pixel is as wide as the bands.
 
     Bands are 16 mm wide on the head and 24 mm on the body, 16 texels of 2,048. Margins of tiles allow no more levels.
     """
@@ -78,7 +78,7 @@ def bake(
     *,
     levels: int,
     tick: Callable[[float], None],
-) -> Baked:
+) -> AtlasInProgress:
     """Return the atlas painted with the photos.
 
     Tile by tile: large atlases need hardly more memory than small ones, and no more time where photos hold no more.
@@ -93,18 +93,18 @@ def bake(
     tick : callable, called with fractions 0..1
     """
     tables = [paint_table(generic, source, shares[k], light[k], kinds) for k, source in enumerate(sources)]
-    whole, tiles = blank(size), cut_tiles(size)
+    whole, tiles = blank_atlas(size), cut_tiles(size)
     coarse = coarse_tiles(generic, size, tiles, sources, shares)
 
-    def paint_tile(tile: Tile, halvings: int) -> Baked | None:
+    def paint_tile(tile: Tile, halvings: int) -> AtlasInProgress | None:
         atlas = generic_atlas(generic, size >> halvings, window=tile.outer)
         if not atlas.texel.size:
             return None
         rgb, seen = bake_tile(generic, atlas, sources, tables, base, kinds, limits, levels - halvings)
         levels_rgb = np.clip(np.rint(rgb[tile.inner]), 0, 255).astype(np.uint8)
-        return Baked(levels_rgb, atlas.covered()[tile.inner], seen[tile.inner])
+        return AtlasInProgress(levels_rgb, atlas.covered()[tile.inner], seen[tile.inner])
 
-    def paint_either(number: int) -> Baked | None:
+    def paint_either(number: int) -> AtlasInProgress | None:
         if not coarse[number]:
             return paint_tile(tiles[number], 0)
         small = paint_tile(tiles[number].halved(), 1)
@@ -128,10 +128,10 @@ def bake_tile(
     limits: Limits,
     levels: int,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """Return (h, w, 3) colours in levels of one window of the atlas, and (h, w) which texels a photo saw."""
+    """Return colours (h, w, 3) in levels of one window of the atlas, and which texels a photo shows (h, w)."""
     covered = atlas.covered()
     ground = np.zeros((covered.size, 3), np.float32)
-    ground[atlas.texel] = lay_ground(atlas, base, kinds)
+    ground[atlas.texel] = ground_colours(atlas, base, kinds)
     ground = push_pull(ground.reshape(*covered.shape, 3), covered.astype(np.float32))
     seen = np.zeros(covered.size, bool)
 
@@ -153,7 +153,7 @@ def bake_tile(
 def paint_table(
     generic: GenericHuman, source: Source, share: Array, light: Array, kinds: Materials
 ) -> NDArray[np.float32]:
-    """Return (V, 18) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light, skin."""
+    """Return the per-vertex table (V, 18) for :func:`paint`: lookups and depth, weights, kinds, light, skin."""
     around = np.zeros_like(light) if kinds.around is None else kinds.around
     return np.column_stack(
         [
@@ -180,7 +180,7 @@ def paint(
     tables: list[NDArray[np.float32]],
     limits: Limits,
 ) -> list[Painted]:
-    """Return what each photo paints.
+    """Return the layer that each photo paints.
 
     A texel's owners first; others are asked only where none of them shows it.
     """
@@ -230,13 +230,13 @@ def _paint_rows(
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     doubtful = np.flatnonzero(good & (cosine < SQUARE) & (kinds[7] > 0.5))
     blurred = shown_colours(source, lookup[doubtful], skin[doubtful], blurred=True)
-    good[doubtful] = goes_on(blurred, kinds[8:, doubtful].T)
+    good[doubtful] = continues(blurred, kinds[8:, doubtful].T)
     colour = apply_light(shown_colours(source, lookup[good], skin[good]), kinds[4:7, good].T)
     return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
 
 
-def lay_ground(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> NDArray[np.float32]:
-    """Return (N, 3) the fill of all texels: each of one kind, mixed only over the width of a few texels."""
+def ground_colours(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> NDArray[np.float32]:
+    """Return the fill (N, 3) of all texels: one kind each, mixed only over the width of a few texels."""
     share = np.column_stack([kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn])
     order = np.sort(share, axis=1)
     kind = np.where(order[:, 2] - order[:, 1] > KIND_EDGE, share.argmax(axis=1), -1)[atlas.triangles]

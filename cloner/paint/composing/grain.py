@@ -1,4 +1,4 @@
-"""How much photos hold: where a texel is finer than half a photo's pixel, a coarser tile holds all there is."""
+"""Resolution of the photos: tiles whose texels are finer than half a photo pixel are baked coarser."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FEW = 0.05  # of a tile's seen texels may lose some detail
 def coarse_tiles(
     generic: GenericHuman, size: int, tiles: list[Tile], sources: list[Source], shares: Array
 ) -> list[bool]:
-    """Return of each tile whether half as many texels a side hold all that the photos show there.
+    """Return for each tile whether half as many texels a side hold all that the photos show there.
 
     Parameters
     ----------

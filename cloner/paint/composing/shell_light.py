@@ -1,4 +1,4 @@
-"""Loose clothing goes on in the light of the garment that it continues.
+"""Lighting of loose clothing, matched to the garment that it continues.
 
 A skirt or a coat's lower part is a surface of its own and its photos were evened by themselves; where it leaves the
 body the same cloth is seen on both, and its colours must meet.
@@ -28,8 +28,8 @@ HOLD: Final = 4.0
 WORN: Final = [SURFACES.index(name) for name in ("upper_clothes", "lower_clothes")]
 
 
-def in_light_of_body(shell: Shell, vertices_m: Array, worn_rgb: Array, surfaces: Array) -> Shell:
-    """Return loose clothing with the colours that its upper edge has on the body, by the angle around it.
+def match_light_of_body(shell: Shell, vertices_m: Array, worn_rgb: Array, surfaces: Array) -> Shell:
+    """Return loose clothing with its upper edge in the body's colours, by the angle around it.
 
     Parameters
     ----------
@@ -49,21 +49,23 @@ def in_light_of_body(shell: Shell, vertices_m: Array, worn_rgb: Array, surfaces:
     own = colours_at(shell.rgba[..., :3], shell.uv[rim]).astype(np.float64)
     gap = np.asarray(log_levels(worn_rgb[near])) - np.asarray(log_levels(own))
     weight = surfaces[near][:, WORN].sum(axis=1) * (away < REACH_M) / (1.0 + beyond_light(gap) ** 4)
-    basis = _round(turn)
+    basis = _angular_basis(turn)
     told = basis[rim] * weight[:, None]
     gains = np.linalg.solve(told.T @ basis[rim] + HOLD * np.eye(basis.shape[1]), told.T @ gap)
     rgba = shell.rgba.copy()
-    rgba[..., :3] = np.rint(apply_light(rgba[..., :3].astype(np.float64), _over_texture(shell, basis @ gains)))
+    rgba[..., :3] = np.rint(
+        apply_light(rgba[..., :3].astype(np.float64), _interpolate_over_texture(shell, basis @ gains))
+    )
     return replace(shell, rgba=rgba)
 
 
-def _round(turn: Array) -> Array:
-    """Return (N, 5) light around a person: constant, and once and twice around."""
+def _angular_basis(turn: Array) -> Array:
+    """Return the basis (N, 5) of light around a person: constant, first and second harmonics."""
     return np.column_stack([np.ones(len(turn)), *(f(k * turn) for k in (1, 2) for f in (np.cos, np.sin))])
 
 
-def _over_texture(shell: Shell, values: Array) -> NDArray[np.float32]:
-    """Return (S, S, 3) values of vertices (N, 3) all over the texture, beside the charts as at their borders."""
+def _interpolate_over_texture(shell: Shell, values: Array) -> NDArray[np.float32]:
+    """Return values (S, S, 3) of vertices (N, 3) over the texture, extended beyond the charts."""
     atlas = map_atlas(shell.uv, shell.triangles, shell.triangles, shell.rgba.shape[0])
     picture = np.zeros((*atlas.shape, 3), np.float32)
     picture.reshape(-1, 3)[atlas.texel] = atlas.interpolate(values)

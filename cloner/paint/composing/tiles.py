@@ -1,4 +1,4 @@
-"""The atlas cut into tiles: each is painted by itself, with a margin as wide as anything reaches."""
+"""The atlas cut into tiles, with a margin as wide as any filter."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _halved(part: tuple[slice, slice]) -> tuple[slice, slice]:
 
 def cut_tiles(size: int) -> list[Tile]:
     """Return the tiles of an atlas of ``size`` texels a side."""
-    spans = [_span(start, size) for start in range(0, size, TILE)]
+    spans = [_margin_span(start, size) for start in range(0, size, TILE)]
     return [
         Tile(Window(top, left, high, wide), (inner_rows, inner_columns), (rows, columns))
         for top, high, inner_rows, rows in spans
@@ -53,7 +53,7 @@ def cut_tiles(size: int) -> list[Tile]:
     ]
 
 
-def _span(start: int, size: int) -> tuple[int, int, slice, slice]:
+def _margin_span(start: int, size: int) -> tuple[int, int, slice, slice]:
     """Return first and count of a tile's texels along one axis with the margin, and its own in both frames."""
     first, last = max(start - MARGIN, 0), min(start + TILE + MARGIN, size)
     end = min(start + TILE, size)

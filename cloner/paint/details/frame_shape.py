@@ -1,4 +1,4 @@
-"""The shape of a pair of glasses: two rims, bridge and hinges, from a picture of its frame.
+"""The shape of a spectacle frame: two rims, bridge and hinges, fitted to a picture of it.
 
 A photo shows some of a thin frame, some of it behind hair and some of it as brows: both rims are one shape, mirrored,
 smooth and closed, fitted to what both sides show.
@@ -80,7 +80,7 @@ class FrameShape:
 
 
 def angles() -> Array:
-    """Return (RAYS,) angles of the rays, radians: 0 is outwards, a quarter of a turn up."""
+    """Return the angles (RAYS,) of the rays, radians: 0 is outwards, a quarter turn is up."""
     return np.linspace(0.0, 2.0 * np.pi, RAYS, endpoint=False)
 
 
@@ -92,12 +92,12 @@ def usual_rim_mm() -> Array:
 
 
 def picture_px(points_mm: Array, corner_mm: tuple[float, float], pixel_mm: float) -> Array:
-    """Return the pixels (..., 2) of points of the frame's plane, mm, in a picture as `frame_reader` takes it."""
+    """Return the pixels (..., 2) of points of the frame's plane, mm, in a picture as `frame_reader` samples it."""
     return np.asarray((points_mm - corner_mm) * (1.0, -1.0) / pixel_mm)
 
 
 def frame_reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], pixel_mm: float) -> Reader:
-    """Return what reads a picture of the frame's plane.
+    """Return a sampler of a picture of the frame's plane.
 
     Parameters
     ----------
@@ -114,13 +114,13 @@ def frame_reader(picture: NDArray[np.float32], corner_mm: tuple[float, float], p
     return at
 
 
-def hides_eyes(at: Reader, eyes_mm: Array) -> bool:
-    """Return whether frame covers the eyes (2, 2), mm: dark lenses."""
-    return bool(np.mean([at(eye + _around(NEAREST_MM)).mean() for eye in eyes_mm]) > DARK)
+def has_dark_lenses(at: Reader, eyes_mm: Array) -> bool:
+    """Return whether the frame covers the eyes (2, 2), mm."""
+    return bool(np.mean([at(eye + _disc_points(NEAREST_MM)).mean() for eye in eyes_mm]) > DARK)
 
 
-def find_shape(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
-    """Return the frame that lies in its plane, None where too little of it is seen.
+def fit_frame(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
+    """Return the frame, None where too little of it is seen.
 
     Parameters
     ----------
@@ -130,18 +130,19 @@ def find_shape(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
     dark : bool
         Whether the lenses count as frame.
     """
-    rays = _ends if dark else _starts
-    radii, moved, told = _settled(lambda middle, sign, _: rays(at, middle, sign), eyes_mm, usual_rim_mm(), np.zeros(4))
+    rays = _lens_ends if dark else _frame_starts
+    radii = usual_rim_mm()
+    radii, moved, told = _iterate_fit(lambda middle, sign, _: rays(at, middle, sign), eyes_mm, radii, np.zeros(4))
     across = USUAL_THICK_MM
     if not dark:
         across = _thickness_mm(at, eyes_mm, radii, moved)
-        radii, moved, told = _settled(
-            lambda middle, sign, rim: _bands(at, middle, sign, rim, across), eyes_mm, radii, moved
+        radii, moved, told = _iterate_fit(
+            lambda middle, sign, rim: _strongest_bands(at, middle, sign, rim, across), eyes_mm, radii, moved
         )
     if (np.abs(told - radii) < SEEN_MM).any(axis=0).mean() < LEAST_SEEN:
         return None
     radii = radii + (-0.5 if dark else 0.5) * across
-    rim, middles = radii[:, None] * _outwards(), _middles(eyes_mm, moved)
+    rim, middles = radii[:, None] * _ray_directions(), _lens_centres(eyes_mm, moved)
     usual = HINGE * float(rim[:, 1].max())
     hinges = [_hinge_mm(at, middle, rim, sign, across, usual) for middle, sign in zip(middles, SIDES, strict=True)]
     metre = m_from_mm(1.0)
@@ -155,43 +156,43 @@ def find_shape(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
     )
 
 
-def _middles(eyes_mm: Array, moved: Array) -> Array:
-    """Return (2, 2) the lenses' middles, mm, after they moved (4,) apart, up, aside and round."""
+def _lens_centres(eyes_mm: Array, moved: Array) -> Array:
+    """Return the lenses' centres (2, 2), mm, after a motion (4,): apart, up, sideways, rotation."""
     return np.asarray(eyes_mm + (MOVES @ moved).reshape(2, 2))
 
 
-def _settled(
+def _iterate_fit(
     read: Callable[[Array, float, Array], Array], eyes_mm: Array, radii_mm: Array, moved: Array
 ) -> tuple[Array, Array, Array]:
-    """Return (RAYS,) the rim, (4,) how the lenses moved and (2, RAYS) what the rays told last, mm.
+    """Return the rim (RAYS,), the lenses' motion (4,) and the last ray readings (2, RAYS), mm.
 
     ``read`` gives what the rays of a lens tell by its middle, its side and the rim so far.
     """
     told = np.zeros((2, RAYS))
     for _ in range(ROUNDS):
         told = np.stack([
-            read(middle, sign, radii_mm) for middle, sign in zip(_middles(eyes_mm, moved), SIDES, strict=True)
+            read(middle, sign, radii_mm) for middle, sign in zip(_lens_centres(eyes_mm, moved), SIDES, strict=True)
         ])  # fmt: skip
-        radii_mm, more = _fitted(told, radii_mm)
+        radii_mm, more = _fit_rim(told, radii_mm)
         moved = moved + more
     return radii_mm, moved, told
 
 
 def _thickness_mm(at: Reader, eyes_mm: Array, radii_mm: Array, moved: Array) -> float:
-    """Return the frame's thickness, mm: the median of the rays that meet it at the rim."""
-    runs = [_runs(at, middle, sign) for middle, sign in zip(_middles(eyes_mm, moved), SIDES, strict=True)]
+    """Return the frame's thickness, mm: the median over the rays that meet it at the rim."""
+    runs = [_runs(at, middle, sign) for middle, sign in zip(_lens_centres(eyes_mm, moved), SIDES, strict=True)]
     first, last, met = (np.stack(each) for each in zip(*runs, strict=True))
     thick = STEP_MM * (last - first)
     told = thick[met & (np.abs(REACH_MM[first] - radii_mm) < SEEN_MM) & (thick < THICK_MM[1])]
     return float(np.clip(np.median(told), *THICK_MM)) if told.size else USUAL_THICK_MM
 
 
-def _outwards() -> Array:
-    """Return (RAYS, 2) the rays' directions on the wearer's left."""
+def _ray_directions() -> Array:
+    """Return the rays' directions (RAYS, 2) on the wearer's left."""
     return np.column_stack([np.cos(angles()), np.sin(angles())])
 
 
-def _around(most_mm: float) -> Array:
+def _disc_points(most_mm: float) -> Array:
     """Return (N, 2) points of a disc."""
     side = np.arange(-most_mm, most_mm + 1.0)
     points = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
@@ -199,27 +200,27 @@ def _around(most_mm: float) -> Array:
 
 
 def _runs(at: Reader, middle_mm: Array, sign: float) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.bool_]]:
-    """Return (RAYS,) the steps at which rays from a lens' middle enter and leave the first frame, and which do both."""
+    """Return the steps (RAYS,) at which rays from a lens's centre enter and leave the frame, and which do both."""
     frame = _profiles(at, middle_mm, sign) > 0.5
     first = frame.argmax(axis=1)
     after = ~frame & (np.arange(len(REACH_MM)) > first[:, None])
     return first, after.argmax(axis=1), frame.any(axis=1) & after.any(axis=1)
 
 
-def _starts(at: Reader, middle_mm: Array, sign: float) -> Array:
-    """Return (RAYS,) where rays meet the frame of a clear lens, mm; NaN where they do not."""
+def _frame_starts(at: Reader, middle_mm: Array, sign: float) -> Array:
+    """Return where rays meet the frame of a clear lens, (RAYS,) mm; NaN where they do not."""
     first, _, met = _runs(at, middle_mm, sign)
     return np.where(met, REACH_MM[first], np.nan)
 
 
-def _ends(at: Reader, middle_mm: Array, sign: float) -> Array:
-    """Return (RAYS,) where rays leave a dark lens, mm; NaN where they do not."""
+def _lens_ends(at: Reader, middle_mm: Array, sign: float) -> Array:
+    """Return where rays leave a dark lens, (RAYS,) mm; NaN where they do not."""
     first, last, met = _runs(at, middle_mm, sign)
     return np.where(met & (first == 0), REACH_MM[last], np.nan)
 
 
-def _bands(at: Reader, middle_mm: Array, sign: float, radii_mm: Array, across_mm: float) -> Array:
-    """Return (RAYS,) where on each ray, near a rim, a band as thick as the frame stands out most, mm; NaN where none.
+def _strongest_bands(at: Reader, middle_mm: Array, sign: float, radii_mm: Array, across_mm: float) -> Array:
+    """Return the strongest band of the frame's thickness on each ray near a rim, (RAYS,) mm; NaN where none.
 
     Lashes are thinner and a brow that touches the frame is thicker than it.
     """
@@ -237,13 +238,13 @@ def _bands(at: Reader, middle_mm: Array, sign: float, radii_mm: Array, across_mm
 
 
 def _profiles(at: Reader, middle_mm: Array, sign: float) -> Array:
-    """Return (RAYS, R) how much is frame along the rays at `REACH_MM`; beyond the nose is the other lens."""
-    places = middle_mm + REACH_MM[None, :, None] * (_outwards() * (sign, 1.0))[:, None, :]
+    """Return the frame's share (RAYS, R) along the rays at `REACH_MM`; beyond the nose is the other lens."""
+    places = middle_mm + REACH_MM[None, :, None] * (_ray_directions() * (sign, 1.0))[:, None, :]
     return np.where(sign * places[..., 0] > 0.0, at(places), 0.0)
 
 
-def _fitted(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
-    """Return (RAYS,) a smooth rim through what rays of both sides tell, and how both lenses move, mm.
+def _fit_rim(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
+    """Return a smooth rim (RAYS,) through the readings of both sides, and the motion of both lenses, mm.
 
     Lenses move apart and up together, and with the whole frame aside and round, of which little is believed.
 
@@ -262,7 +263,7 @@ def _fitted(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
     kept = [wave(k * turn) for k in range(2, HARMONICS + 1) for wave in (np.cos, np.sin)]
     waves = np.column_stack([np.ones(RAYS), *kept])
     # apart, up, aside, round: on the right side, which is mirrored, the last two are the other way round
-    along = np.column_stack([_outwards(), _outwards()])
+    along = np.column_stack([_ray_directions(), _ray_directions()])
     moves = [along, along * (1.0, 1.0, -1.0, -1.0)]
     rows = [np.column_stack([waves, move]) * np.sqrt(one)[:, None] for move, one in zip(moves, sure, strict=True)]
     values = [np.sqrt(one) * np.nan_to_num(told) for told, one in zip(told_mm, sure, strict=True)]
@@ -277,7 +278,7 @@ def _fitted(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
 
 
 def _bridge_mm(at: Reader, middles_mm: Array, rim_mm: Array, across_mm: float) -> Array:
-    """Return the bridge's height over the middle of the lenses, and its thickness, mm."""
+    """Return the bridge's height over the centres of the lenses, and its thickness, mm."""
     between = middles_mm.mean(axis=0)
     low, high = float(rim_mm[:, 1].min()), float(rim_mm[:, 1].max())
     rise = np.arange(low, high, STEP_MM)
@@ -288,7 +289,7 @@ def _bridge_mm(at: Reader, middles_mm: Array, rim_mm: Array, across_mm: float) -
 
 
 def _hinge_mm(at: Reader, middle_mm: Array, rim_mm: Array, sign: float, across_mm: float, usual_mm: float) -> Array:
-    """Return the place (2,) of a temple's hinge, mm."""
+    """Return the position (2,) of a temple's hinge, mm."""
     end = float(rim_mm[:, 0].max()) + 0.5 * across_mm
     far = np.arange(end + 0.5, end + HINGE_MM[0], STEP_MM)
     rise = np.arange(float(rim_mm[:, 1].min()), float(rim_mm[:, 1].max()) + across_mm, STEP_MM)

@@ -1,4 +1,4 @@
-"""Glasses as an object of their own: rims, bridge and temples in the frame's colour, as the front photo shows them.
+"""Glasses as a separate object: rims, bridge and temples in the frame's colour, from the front photo.
 
 Clear lenses are not drawn, dark ones are.
 """
@@ -19,7 +19,7 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import sweep_profile
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import glasses_frame
-from cloner.paint.details.frame_shape import SIDES, FrameShape, find_shape, frame_reader, hides_eyes, picture_px
+from cloner.paint.details.frame_shape import SIDES, FrameShape, fit_frame, frame_reader, has_dark_lenses, picture_px
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -62,7 +62,7 @@ BANDS, BAND_PX, WIDE_PX = 7, 8, 64
 
 
 def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal: Proposal) -> Shell | None:
-    """Return the glasses of somebody who wears them, None where the frame cannot be made out.
+    """Return the glasses of a person who wears them, None where the frame cannot be found.
 
     Parameters
     ----------
@@ -84,10 +84,10 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     frame, colours = read(labelled.astype(np.float32))[..., 0], read(photo.rgb)
     eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
     eyes_mm = mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2]
-    dark = hides_eyes(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm)
+    dark = has_dark_lenses(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm)
     if not dark:
         frame = _with_colours(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
-    shape = find_shape(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm, dark=dark)
+    shape = fit_frame(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm, dark=dark)
     if shape is None:
         return None
     parts = _parts(generic, joined, shape)
@@ -101,8 +101,8 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     return Shell(vertices, triangles.astype(np.int32), uv, joints, weights, rgba, "glasses")
 
 
-def _on_plane(joined: Joined, flat_m: Array) -> Array:
-    """Return rest points (..., 3) of places (..., 2) in the frame's plane, which bends back to both sides."""
+def _frame_points(joined: Joined, flat_m: Array) -> Array:
+    """Return rest points (..., 3) for points (..., 2) of the frame's plane, which bends back on both sides."""
     nasion = joined.features_m["nasion"]
     depth = BEFORE_M - flat_m[..., 0] ** 2 / (2.0 * BEND_M)
     return np.asarray(np.concatenate([flat_m, depth[..., None]], axis=-1) + nasion)
@@ -111,10 +111,10 @@ def _on_plane(joined: Joined, flat_m: Array) -> Array:
 def _plane_reader(
     joined: Joined, view: PosedView, posed_from_rest: Array
 ) -> Callable[[NDArray[Any]], NDArray[np.float32]]:
-    """Return what reads a picture of the photo (H, W, ...) at each place (h, w, ...) of the frame's plane."""
+    """Return a sampler of photo pictures (H, W, ...) at points (h, w, ...) of the frame's plane."""
     across = np.arange(-REACH_MM[0], REACH_MM[0], PIXEL_MM)
     down = np.arange(REACH_MM[1], -REACH_MM[2], -PIXEL_MM)
-    rest = _on_plane(joined, m_from_mm(1.0) * np.stack(np.meshgrid(across, down), axis=-1))
+    rest = _frame_points(joined, m_from_mm(1.0) * np.stack(np.meshgrid(across, down), axis=-1))
     pixel = view.camera.project(rest.reshape(-1, 3) @ posed_from_rest[:3, :3].T + posed_from_rest[:3, 3])
 
     def read(picture: NDArray[Any]) -> NDArray[np.float32]:
@@ -127,7 +127,7 @@ def _plane_reader(
 def _with_colours(
     frame: NDArray[np.float32], colours: NDArray[np.float32], open_skin: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """Return how much of each place (h, w) is frame by labels and colours together.
+    """Return the frame's probability at points (h, w), from labels and colours together.
 
     Labels lose thin frames, and dark skin or hair has a frame's colour.
 
@@ -152,7 +152,7 @@ def _with_colours(
 
 
 def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
-    """Return (H, W) where a photo shows skin or what is worn on it, and no eye with its lashes."""
+    """Return the pixels (H, W) of skin or of what is worn on it, without eyes and lashes."""
     eyes = np.zeros(proposal.labels.shape, np.uint8)
     for ring in EYE_OPENINGS:
         cv2.fillPoly(eyes, [np.round(proposal.face_px[list(ring)]).astype(np.int32)], 1)
@@ -171,7 +171,7 @@ def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Par
     rim = places_along(closed, length, np.linspace(0.0, length[-1], POINTS[0], endpoint=False))
     flat = [rim * (sign, 1.0) + middle for sign, middle in zip(SIDES, shape.middles_m, strict=True)]
     forward = _clearance_m(generic, joined, np.concatenate(flat), deep)
-    lifted = [_on_plane(joined, one) + forward for one in flat]
+    lifted = [_frame_points(joined, one) + forward for one in flat]
     outward = [np.column_stack([rim * (sign, 1.0), np.zeros(len(rim))]) for sign in SIDES]
     rims = [
         sweep_profile(path, way, np.array([thick, deep]), closed=True)
@@ -179,26 +179,29 @@ def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Par
     ]  # fmt: skip
     inner = _nearest_height(rim, shape.bridge_m[0], outer=False)
     bridge = _bridge_path(*(path[inner] for path in lifted))
-    parts = [*rims, sweep_profile(bridge, _up(bridge), np.array([0.5 * shape.bridge_m[1], deep]), closed=False)]
+    parts = [
+        *rims,
+        sweep_profile(bridge, _upward_directions(bridge), np.array([0.5 * shape.bridge_m[1], deep]), closed=False),
+    ]
     for side, (sign, middle, hinge, lens) in enumerate(
         zip(SIDES, shape.middles_m, shape.hinges_m, lifted, strict=True)
     ):
         row = _nearest_height(rim, float(hinge[1] - middle[1]), outer=True)
-        way = _temple_path(generic, joined, lens[row], _on_plane(joined, hinge) + forward, "LR"[side], sign)
+        way = _temple_path(generic, joined, lens[row], _frame_points(joined, hinge) + forward, "LR"[side], sign)
         tall = np.clip(thick, *TEMPLE_M)
-        parts.append(sweep_profile(way, _up(way), np.array([tall, TEMPLE_WIDE_M]), closed=False))
+        parts.append(sweep_profile(way, _upward_directions(way), np.array([tall, TEMPLE_WIDE_M]), closed=False))
     if shape.dark:
-        parts += [_disc(path) for path in lifted]
+        parts += [_lens_mesh(path) for path in lifted]
     return parts
 
 
-def _up(path_m: Array) -> Array:
+def _upward_directions(path_m: Array) -> Array:
     """Return (K, 3) upward directions along a path."""
     return np.tile([0.0, 1.0, 0.0], (len(path_m), 1))
 
 
 def _bridge_path(left_m: Array, right_m: Array) -> Array:
-    """Return points (K, 3) from one rim to the other, bowed over the nose."""
+    """Return points (K, 3) from one rim to the other, arched over the nose."""
     share = np.linspace(0.0, 1.0, POINTS[1])[:, None]
     return np.asarray(left_m + share * (right_m - left_m) + (1.0 - (2.0 * share - 1.0) ** 2) * (0.0, *BRIDGE_M))
 
@@ -210,9 +213,9 @@ def _nearest_height(rim_m: Array, height_m: float, *, outer: bool) -> int:
 
 
 def _clearance_m(generic: GenericHuman, joined: Joined, flat_m: Array, deep_m: float) -> Array:
-    """Return (3,) how far the frame stands forward so that no part of it lies in the face."""
+    """Return the offset (3,) of the frame forward so that no part of it intersects the face."""
     face = joined.vertices_m[generic.region("face")]
-    points = _on_plane(joined, flat_m)
+    points = _frame_points(joined, flat_m)
     near = cKDTree(face[:, :2]).query_ball_point(points[:, :2], BESIDE_M)
     skin = np.array([face[rows, 2].max() if rows else -np.inf for rows in near])
     inside = float((skin + OFF_SKIN_M + deep_m - points[:, 2]).max())
@@ -239,8 +242,8 @@ def _temple_path(generic: GenericHuman, joined: Joined, rim_m: Array, hinge_m: A
     return path
 
 
-def _disc(rim_m: Array) -> Part:
-    """Return a lens: a fan in a rim (N, 3)."""
+def _lens_mesh(rim_m: Array) -> Part:
+    """Return a lens: a triangle fan in a rim (N, 3)."""
     rows, count = np.arange(len(rim_m)), len(rim_m)
     points = np.concatenate([rim_m, rim_m.mean(axis=0)[None]])
     turn = 2.0 * np.pi * rows / count
@@ -252,7 +255,7 @@ def _disc(rim_m: Array) -> Part:
 
 
 def _texture(shape: FrameShape, frame: NDArray[np.float32], colours: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Return (S, T, 4) the colour of the frame, and below it that of dark lenses."""
+    """Return the frame's colour (S, T, 4), with that of dark lenses below."""
 
     def median(flat_m: Array) -> NDArray[np.float32]:
         place = picture_px(mm_from_m(1.0) * flat_m, CORNER_MM, PIXEL_MM)

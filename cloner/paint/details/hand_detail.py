@@ -1,4 +1,4 @@
-"""What no photo of a whole person shows of a hand: nails, the creases of fingers and palm, as gains of its skin.
+"""Details of a hand that no body photo shows: nails and creases, as gains of its skin colour.
 
 Nails lie where the generic human's mesh has them; flexion creases lie at its joints; the three great lines of the palm
 are drawn in the palm's plane. All is told for the left hand and mirrored.
@@ -76,7 +76,7 @@ class Finger:
 
 
 def hand_gains(points_m: Array, normals: Array) -> tuple[Array, Array]:
-    """Return (N, 3) logarithmic gains of skin, and (N,) which part of it is nail, 0..1.
+    """Return log gains (N, 3) of skin, and the share of nail (N,), 0..1.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def hand_gains(points_m: Array, normals: Array) -> tuple[Array, Array]:
         On the generic human's left hand, metres, and unit.
     """
     gains, nails = _palm(points_m, normals), np.zeros(len(points_m))
-    away = np.stack([_beside(points_m, finger.bones_m) for finger in fingers()])
+    away = np.stack([_bone_distance_m(points_m, finger.bones_m) for finger in fingers()])
     for number, finger in enumerate(fingers()):
         own = np.flatnonzero((away.argmin(axis=0) == number) & (away[number] < 2.0 * BREADTH_M))
         plate, nail = _nail(finger, points_m[own], normals[own])
@@ -100,7 +100,7 @@ def fingers() -> tuple[Finger, ...]:
     vertices = generic.vertices_m.astype(np.float64)
     triangles, _ = generic.triangles()
     normals = vertex_normals(vertices, triangles.astype(np.int32))
-    hollow = _hollow(vertices, normals, edges_of(triangles)[0])
+    hollow = _concavity(vertices, normals, edges_of(triangles)[0])
     return tuple(_finger(generic, vertices, normals, hollow, name) for name in ROOTS)
 
 
@@ -120,8 +120,8 @@ def _finger(generic: GenericHuman, vertices: Array, normals: Array, hollow: Arra
     return Finger(bones, back, ROOTS[name], np.array([begins, place.max(), NAIL_WIDTH * half]))
 
 
-def _hollow(vertices: Array, normals: Array, edges: NDArray[np.int64]) -> Array:
-    """Return (V,) by how much neighbours stand above each vertex, as a mean slope: above 0 in folds."""
+def _concavity(vertices: Array, normals: Array, edges: NDArray[np.int64]) -> Array:
+    """Return the mean slope (V,) by which neighbours stand above each vertex: positive in folds."""
     way = vertices[edges[:, 1]] - vertices[edges[:, 0]]
     way /= np.maximum(np.linalg.norm(way, axis=1), 1e-9)[:, None]
     ends = np.concatenate([edges[:, 0], edges[:, 1]])
@@ -130,8 +130,8 @@ def _hollow(vertices: Array, normals: Array, edges: NDArray[np.int64]) -> Array:
     return np.asarray(np.bincount(ends, slope, minlength=len(vertices)) / np.maximum(count, 1))
 
 
-def _beside(points_m: Array, bones_m: Array) -> Array:
-    """Return (N,) distances to a chain of bones, metres."""
+def _bone_distance_m(points_m: Array, bones_m: Array) -> Array:
+    """Return distances (N,) to a chain of bones, metres."""
     nearest = np.full(len(points_m), np.inf)
     for start, end in pairwise(bones_m):
         way, spokes = end - start, points_m - start
@@ -142,7 +142,7 @@ def _beside(points_m: Array, bones_m: Array) -> Array:
 
 
 def _nail(finger: Finger, points_m: Array, normals: Array) -> tuple[Array, Array]:
-    """Return (N,) which part is nail, and (N, 3) gains of nail and the fold around it."""
+    """Return the share of nail (N,), and gains (N, 3) of the nail and the fold around it."""
     last, tip = finger.bones_m[2:]
     along = (tip - last) / np.linalg.norm(tip - last)
     begins, ends, half = finger.nail_m
@@ -158,7 +158,7 @@ def _nail(finger: Finger, points_m: Array, normals: Array) -> tuple[Array, Array
 
 
 def _creases(finger: Finger, points_m: Array, normals: Array) -> Array:
-    """Return (N, 3) gains of a finger's creases inside, of its wrinkles over the joints, and of its pad."""
+    """Return gains (N, 3) of a finger's inner creases, of its wrinkles over the joints, and of its pad."""
     first, second, last, tip = finger.bones_m
     inside, behind = smoothstep(-(normals @ finger.back), 0.0, 0.5), smoothstep(normals @ finger.back, 0.2, 0.6)
     gains = (inside * smoothstep((points_m - last) @ (tip - last) / ((tip - last) ** 2).sum(), 0.1, 0.5))[:, None] * PAD
@@ -181,7 +181,7 @@ def _creases(finger: Finger, points_m: Array, normals: Array) -> Array:
 
 
 def _palm(points_m: Array, normals: Array) -> Array:
-    """Return (N, 3) gains of the palm's great lines."""
+    """Return gains (N, 3) of the palm's creases."""
     generic = load_generic()
     wrist, index, middle, little = (
         generic.joints_m[generic.joint(f"l_{name}")].astype(np.float64)

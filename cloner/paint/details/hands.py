@@ -1,4 +1,4 @@
-"""Hands and soles that stand a close look: what no photo shows keeps to their own tone; nails and creases are drawn."""
+"""Hands and soles finished: unseen skin keeps their own tone; nails and creases are drawn."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ DARK: Final = 4.0
 
 
 def finish_hands(rgb: Image, claim: Array, kinds: Materials) -> Image:
-    """Return the atlas (S, S, 3) with the hands' bare skin evened where photos show little, and with nails and creases.
+    """Return the atlas (S, S, 3) with the hands' bare skin smoothed where photos show little, with nails and creases.
 
     Gloves stay as they are; so does what a photo shows well, but for nails and creases.
 
@@ -60,14 +60,14 @@ def finish_hands(rgb: Image, claim: Array, kinds: Materials) -> Image:
     out = rgb.copy()
     flat = out.reshape(-1, 3)
     levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
-    calm = _calmed(levels, np.maximum(seen, 1.0 - bare * beyond), _believed(seen, bare > 0.5))
+    calm = _damped_tone(levels, np.maximum(seen, 1.0 - bare * beyond), _reliable_texels(seen, bare > 0.5))
     finished = np.exp(calm + bare[:, None] * gains) - DARK
     flat[atlas.texel] = np.clip(np.rint(finished), 0, 255).astype(np.uint8)
     return out
 
 
 def finish_soles(rgb: Image, vertices_m: Array) -> Image:
-    """Return the atlas (S, S, 3) with soles of their commonest colour: toes and carpets had run on to them.
+    """Return the atlas (S, S, 3) with soles in their dominant colour, without toes and carpets.
 
     Parameters
     ----------
@@ -80,19 +80,19 @@ def finish_soles(rgb: Image, vertices_m: Array) -> Image:
     out = rgb.copy()
     flat = out.reshape(-1, 3)
     levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
-    calm = _calmed(levels, 1.0 - under, under == 1.0)
+    calm = _damped_tone(levels, 1.0 - under, under == 1.0)
     flat[atlas.texel] = np.clip(np.rint(np.exp(calm) - DARK), 0, 255).astype(np.uint8)
     return out
 
 
-def _believed(seen: Array, skin: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return which texels (N,) tell the skin's tone: those that photos show, all if these are few."""
+def _reliable_texels(seen: Array, skin: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which texels (N,) determine the skin's tone: those that photos show, all if these are few."""
     shown = skin & (seen > 0.5)
     return shown if shown.sum() > 0.1 * skin.sum() else skin
 
 
-def _calmed(levels: Array, kept: Array, telling: NDArray[np.bool_]) -> Array:
-    """Return logarithms of levels (N, 3) near the tone of the ``telling`` (N,), as they are where ``kept`` (N,)."""
+def _damped_tone(levels: Array, kept: Array, telling: NDArray[np.bool_]) -> Array:
+    """Return log levels (N, 3) near the tone of the ``telling`` (N,), unchanged where ``kept`` (N,)."""
     tone = np.median(levels[telling], axis=0)
     away = levels - tone
     bright = away.mean(axis=1, keepdims=True)
@@ -103,7 +103,7 @@ def _calmed(levels: Array, kept: Array, telling: NDArray[np.bool_]) -> Array:
 
 @functools.lru_cache(maxsize=2)
 def hand_texels(size: int) -> tuple[AtlasMap, Array, Array, Array, NDArray[np.bool_]]:
-    """Return the hands' texels of an atlas, their (N, 3) logarithmic gains, and (N,) nail, beyond the wrist, and left.
+    """Return the hands' texels of an atlas, their log gains (N, 3), and (N,) nail, beyond the wrist, and left.
 
     Nail and beyond are parts in 0..1.
     """

@@ -1,4 +1,4 @@
-"""Upper lids without the lashes of the open eye: what a photo paints on them would stay up when the eye shuts.
+"""Upper lids without the painted lashes of the open eye, which would stay up when the eye closes.
 
 Lashes are a mesh of their own. Beneath an open lid's fold a photo shows no skin but lashes and eye; a blink unrolls
 exactly that.
@@ -36,7 +36,7 @@ LINE: Final = 0.45
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LidChart:
-    """A chart of the atlas that shows a part of the lids around one eye.
+    """A chart of the atlas with a part of the lids around one eye.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ def clean_lids(generic: GenericHuman, rgb: Image, vertices_m: NDArray[np.float64
     """Return the atlas (S, S, 3) with upper lids of plain skin, dark at the margin where the lashes grow."""
     out = rgb.copy()
     for side in ("left", "right"):
-        charts, texel_m = _lids(generic, side, len(rgb), vertices_m)
+        charts, texel_m = _lid_charts(generic, side, len(rgb), vertices_m)
         width = max(3, round(STRAND_M / texel_m) | 1)
         inmost = np.zeros(3, np.float32)
         for chart in charts:
@@ -85,8 +85,10 @@ def _without_strands(rgb: Image, width: int) -> Map:
     return np.asarray(cv2.GaussianBlur(closed, (0, 0), width / 4.0), np.float32)
 
 
-def _lids(generic: GenericHuman, side: str, size: int, vertices_m: NDArray[np.float64]) -> tuple[list[LidChart], float]:
-    """Return the charts of one eye's lids, that with most rings first, and a texel's metres."""
+def _lid_charts(
+    generic: GenericHuman, side: str, size: int, vertices_m: NDArray[np.float64]
+) -> tuple[list[LidChart], float]:
+    """Return the charts of one eye's lids, the one with most rings first, and a texel's size in metres."""
     grid = eye_grid(side)
     rings, shares = np.full(len(vertices_m), np.inf), np.zeros(len(vertices_m))
     rings[grid.rings] = (np.arange(len(grid.rings)) - grid.margin)[:, None]
@@ -99,7 +101,9 @@ def _lids(generic: GenericHuman, side: str, size: int, vertices_m: NDArray[np.fl
     piece = _pieces(corners)
     rows = [np.flatnonzero(piece == number) for number in np.argsort(-np.bincount(piece), kind="stable")]
     uv = generic.uv.astype(np.float64) * size - 0.5
-    charts = [_chart(uv[corners[part]], rings[triangles[part]], shares[triangles[part]], size) for part in rows]
+    charts = [
+        _make_lid_chart(uv[corners[part]], rings[triangles[part]], shares[triangles[part]], size) for part in rows
+    ]
     return charts, _texel_m(areas(vertices_m, triangles), areas(uv, corners))
 
 
@@ -112,8 +116,10 @@ def _pieces(corners: NDArray[np.integer]) -> NDArray[np.int32]:
     return np.asarray(connected_components(links, directed=False)[1][places[:, 0]], np.int32)
 
 
-def _chart(uv: NDArray[np.float64], rings: NDArray[np.float64], shares: NDArray[np.float64], size: int) -> LidChart:
-    """Return the chart of triangles with corners at (T, 3, 2) texels, on (T, 3) rings, with (T, 3) shares."""
+def _make_lid_chart(
+    uv: NDArray[np.float64], rings: NDArray[np.float64], shares: NDArray[np.float64], size: int
+) -> LidChart:
+    """Return the chart of triangles with corners at texels (T, 3, 2), rings (T, 3) and shares (T, 3)."""
     low = np.maximum(np.floor(uv.min(axis=(0, 1))).astype(int) - 2, 0)
     width, height = (np.minimum(np.ceil(uv.max(axis=(0, 1))).astype(int) + 3, size) - low).tolist()
     ring = np.full(height * width, np.inf, dtype=np.float32)

@@ -1,4 +1,4 @@
-"""Nostrils are dark inside: no photo shows their depth, and skin that spreads from around fills it brightly."""
+"""Dark nostrils: photos do not show their depth, and skin spread from around fills them too brightly."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ RIM: Final = 0.2
 
 
 def darken_nostrils(rgb: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return the atlas (S, S, 3) with the nose's hollows in shade, whatever was spread or shown aslant there."""
+    """Return the atlas (S, S, 3) with the nostrils in shade."""
     texel, share = nostril_texels(len(rgb))
     out = rgb.copy()
     flat = out.reshape(-1, 3)
@@ -34,7 +34,7 @@ def darken_nostrils(rgb: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 @functools.lru_cache(maxsize=2)
 def nostril_texels(size: int) -> tuple[NDArray[np.integer], NDArray[np.floating]]:
-    """Return the texels (N,) of an atlas in the nostrils, and how much of each lies in the hollow, 0..1."""
+    """Return the texels (N,) of the nostrils, and how deep each lies in the hollow, 0..1."""
     generic = load_generic()
     away = (generic.vertices_m - generic.vertices_m[generic.feature("subnasale")]).astype(np.float64)
     away[:, 0] = np.abs(away[:, 0])

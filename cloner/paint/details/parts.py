@@ -52,7 +52,7 @@ def paint_parts(
         vertices = generic.part(name)
         points = atlas.interpolate(vertices_m, rows)
         if name.startswith("eye_"):
-            centre, radius = fit_ball(vertices_m[vertices])
+            centre, radius = fit_sphere(vertices_m[vertices])
             spokes = points - centre.astype(np.float32)
             spokes = unit(spokes)
             iris = iris_radius_m if iris_radius_m > 0.0 else USUAL_IRIS_M
@@ -60,7 +60,7 @@ def paint_parts(
             colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, white_to_skin, rng)
         elif name.startswith("teeth_"):
             along, height = _along_arch(points), points[:, 1] if name == "teeth_upper" else -points[:, 1]
-            colour = light * paint_teeth(height - _edge(along, height), along)
+            colour = light * paint_teeth(height - _biting_edge(along, height), along)
         elif name == "tongue":
             tip = vertices_m[vertices].max(axis=0)[2]
             middle = (vertices_m[vertices, 0].min() + vertices_m[vertices, 0].max()) / 2.0
@@ -71,7 +71,7 @@ def paint_parts(
 
 
 def face_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Return (3,) the median colour of the face in the atlas, read in the middle of every triangle."""
+    """Return the median colour (3,) of the face in the atlas, sampled at every triangle's middle."""
     triangles, uv_triangles = generic.triangles()
     face = uv_triangles[np.all(generic.region("face")[triangles], axis=1)]
     if not len(face):
@@ -79,8 +79,8 @@ def face_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> NDArray[np.float6
     return np.asarray(np.median(colours_at(rgb, generic.uv[face].mean(axis=1)), axis=0), np.float64)
 
 
-def fit_ball(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
-    """Return centre (3,) and radius of the sphere nearest to (N, 3) points (linear least squares)."""
+def fit_sphere(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Return centre (3,) and radius of the best sphere through points (N, 3) (linear least squares)."""
     middle = points_m.mean(axis=0)
     local = points_m - middle
     system = np.column_stack([2.0 * local, np.ones(len(local))])
@@ -89,15 +89,15 @@ def fit_ball(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]
 
 
 def _along_arch(points_m: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (N,) metres along the arch of teeth, from its middle: the angle about the arch's own middle."""
+    """Return the position (N,) along the arch of teeth from its middle, metres."""
     aside = points_m[:, 0] - (points_m[:, 0].min() + points_m[:, 0].max()) / 2.0
     width = max(float(np.abs(aside).max()), 1e-6)
     behind = points_m[:, 2].max() - points_m[:, 2]
     return np.asarray(np.arctan2(aside, width - behind) * width, np.float32)
 
 
-def _edge(along_m: NDArray[np.float32], height_m: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (N,) the height of the biting edge at every place along the arch."""
+def _biting_edge(along_m: NDArray[np.float32], height_m: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the height (N,) of the biting edge at every position along the arch."""
     places = np.round(along_m / EDGE_STEP_M).astype(int)
     steps = np.unique(places)
     lowest = np.array([height_m[places == step].min() for step in steps])

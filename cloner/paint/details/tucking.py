@@ -28,12 +28,12 @@ OPAQUE = 128  # of a shell's alpha: the film beyond the hairline covers nothing
 
 
 def tuck_scalp(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ...]) -> Array:
-    """Return the vertices (V, 3) with the scalp pulled in where it would stand out of a shell.
+    """Return the vertices (V, 3) with the scalp pulled in where it would intersect a shell.
 
     The bare skull under hair is a guess from the stature; the hair's outline was seen. Ears under hair are laid flat.
     """
     hair = tuple(shell for shell in shells if shell.kind == "hair")
-    vertices_m = lay_ears(generic, vertices_m, ears_below(generic, vertices_m, hair))
+    vertices_m = press_ears_to_head(generic, vertices_m, ears_below(generic, vertices_m, hair))
     triangles = body_triangles()
     rows = np.flatnonzero(generic.region("scalp"))
     if not shells or rows.size == 0:
@@ -61,8 +61,8 @@ def ear_masks(generic: GenericHuman) -> tuple[NDArray[np.bool_], ...]:
     return tuple(generic.region(name) for name in ("ear_left", "ear_right"))
 
 
-def whole_ears(generic: GenericHuman, covered: Array) -> Array:
-    """Return how far each vertex of the ears is covered (V,), 0..1; nothing of ears of which hair hides too little."""
+def covered_ear_shares(generic: GenericHuman, covered: Array) -> Array:
+    """Return how far each vertex of the ears is covered (V,), 0..1; zero for ears that hair covers too little."""
     out = np.zeros(len(covered))
     for ear in ear_masks(generic):
         if covered[ear].mean() > EAR_SHARE:
@@ -70,8 +70,8 @@ def whole_ears(generic: GenericHuman, covered: Array) -> Array:
     return out
 
 
-def lay_ears(generic: GenericHuman, vertices_m: Array, covered: Array) -> Array:
-    """Return the vertices (V, 3) with ears laid on the head as far as hair covers them: hair presses them there.
+def press_ears_to_head(generic: GenericHuman, vertices_m: Array, covered: Array) -> Array:
+    """Return the vertices (V, 3) with ears pressed to the head as far as hair covers them.
 
     Parameters
     ----------
@@ -100,15 +100,15 @@ def lay_ears(generic: GenericHuman, vertices_m: Array, covered: Array) -> Array:
 
 
 def ears_below(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ...]) -> Array:
-    """Return (V,) 0..1 which vertices of the ears would lie below the opaque part of shells, were they laid flat."""
+    """Return 0..1 (V,) which vertices of the ears would lie below the opaque part of shells if pressed to the head."""
     covered = np.zeros(len(vertices_m))
     if not shells:
         return covered
     everything = np.any(ear_masks(generic), axis=0).astype(float)
-    flat = lay_ears(generic, vertices_m, everything)
+    flat = press_ears_to_head(generic, vertices_m, everything)
     normals = vertex_normals(flat, body_triangles())
     rows = np.flatnonzero(everything)
-    points = np.concatenate([shell.vertices_m[_opaque(shell)] for shell in shells])
+    points = np.concatenate([shell.vertices_m[_opaque_vertices(shell)] for shell in shells])
     if not len(points):
         return covered
     gap, near = cKDTree(points).query(flat[rows], k=NEIGHBOURS, distance_upper_bound=NEAR_M)
@@ -117,9 +117,9 @@ def ears_below(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ..
     along = np.einsum("nkc,nc->nk", away, normals[rows])
     beside = np.linalg.norm(away - along[..., None] * normals[rows, None], axis=2)
     covered[rows] = (found & (along > 0.0) & (beside < BESIDE_M)).any(axis=1)
-    return whole_ears(generic, covered)
+    return covered_ear_shares(generic, covered)
 
 
-def _opaque(shell: Shell) -> NDArray[np.bool_]:
-    """Return (N,) which vertices of a shell its texture shows."""
+def _opaque_vertices(shell: Shell) -> NDArray[np.bool_]:
+    """Return which vertices (N,) of a shell its texture shows."""
     return np.asarray(colours_at(shell.rgba, shell.uv)[:, 3] >= OPAQUE)

@@ -1,4 +1,4 @@
-"""What a person wears where only photos of the face exist: the cloth they show, all around and down to the waist.
+"""Clothes where only photos of the face exist: the visible cloth, extended all around and down.
 
 Below are dark trousers and shoes; who shows no cloth at all gets a plain shirt, since nobody is naked unasked.
 """
@@ -14,7 +14,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.lookups.materials import Materials, goes_on, hands_beyond_cuffs, shown_bare
+from cloner.paint.lookups.materials import Materials, continues, hands_beyond_cuffs, shown_bare_share
 from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
@@ -46,7 +46,7 @@ LEAST_PIXELS: Final = 400
 BIN_LEVELS: Final = 16.0
 
 
-def only_faces(sources: list[Source]) -> bool:
+def shows_faces_only(sources: list[Source]) -> bool:
     """Return whether no photo shows the body."""
     return all(source.view.is_face for source in sources)
 
@@ -54,7 +54,7 @@ def only_faces(sources: list[Source]) -> bool:
 def dress_unseen(
     generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph
 ) -> Materials:
-    """Return kinds in which the person is dressed to wrists and soles.
+    """Return kinds with the person dressed to wrists and soles.
 
     A photo of the face ends at the chest, and from the neck's skin the unseen back would be bare.
     The collar stands behind as high as it does beside the neck. Without cloth in the photo it lies round the
@@ -69,8 +69,8 @@ def dress_unseen(
     cloth = _shown_cloth(sources, kinds)
     covered = np.ones(len(vertices_m), bool)
     if int(cloth.sum()) >= LEAST_CLOTH:
-        aside = ~_beside_neck(generic, vertices_m)
-        ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare(generic, sources) < 0.5)
+        aside = ~_near_median_plane(generic, vertices_m)
+        ends = (np.stack([source.score for source in sources]) > 0.0) & (shown_bare_share(generic, sources) < 0.5)
         ends = (ends.any(axis=0) | cloth) & ~aside & ~generic.region("scalp")
         collar_m = np.quantile(vertices_m[ends if ends.any() else cloth, 1], COLLAR_QUANTILE)
         shoulders = _shown(sources) & kinds.skin & aside & ~generic.segment("head")
@@ -82,13 +82,15 @@ def dress_unseen(
             covered = ~arms
     else:
         collar_m, covered = _neckline(generic, sources, kinds, vertices_m)
-    below = np.minimum(_rising(collar_m - vertices_m[:, 1]), _beyond_skin(generic, sources, kinds, vertices_m, graph))
+    below = np.minimum(
+        _garment_ramp(collar_m - vertices_m[:, 1]), _distance_from_seen_skin(generic, sources, kinds, vertices_m, graph)
+    )
     worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, covered * below)
     worn[np.concatenate(hands_beyond_cuffs(generic))] = 0.0
     return replace(kinds, bare=1.0 - worn, worn=worn)
 
 
-def clothe_beyond(
+def extend_clothes(
     generic: GenericHuman,
     sources: list[Source],
     base: NDArray[np.float32],
@@ -96,7 +98,7 @@ def clothe_beyond(
     vertices_m: Array,
     graph: SurfaceGraph,
 ) -> NDArray[np.float32]:
-    """Return (3, V, 3) fills in which skin and cloth far from what photos show have the one colour most of it has.
+    """Return fills (3, V, 3) with skin and cloth far from what photos show in their dominant colours.
 
     The trunk's front goes on downwards as the photo's lower edge shows it; trousers and shoes are dark.
 
@@ -110,27 +112,27 @@ def clothe_beyond(
     seen = _shown(sources)
     skin = seen & (kinds.bare > 0.5) & (kinds.scalp < 0.5)
     if int(skin.sum()) >= LEAST_CLOTH:
-        found[0] += _far(graph.distance_from(skin, PLAIN_M)) * (_commonest(base[0][skin]) - base[0])
-    cloth = _shown_cloth(sources, kinds) & ~_as_skin(base[2], base[0][skin])
+        found[0] += _fade_to_plain(graph.distance_from(skin, PLAIN_M)) * (_dominant_colour(base[0][skin]) - base[0])
+    cloth = _shown_cloth(sources, kinds) & ~_is_skin_coloured(base[2], base[0][skin])
     if int(cloth.sum()) >= LEAST_CLOTH:
         low = cloth & (vertices_m[:, 1] <= np.median(vertices_m[cloth, 1]))  # a collar's trim is no shirt
-        plain = _commonest(base[2][low])
-        fall, aside_m = _fall(generic, base[2], vertices_m, cloth)
-        as_seen = _far(graph.distance_from(cloth, PLAIN_M))
-        found[2] += as_seen * (fall + _far(aside_m) * (plain - fall) - base[2])
+        plain = _dominant_colour(base[2][low])
+        fall, aside_m = _cloth_above(generic, base[2], vertices_m, cloth)
+        as_seen = _fade_to_plain(graph.distance_from(cloth, PLAIN_M))
+        found[2] += as_seen * (fall + _fade_to_plain(aside_m) * (plain - fall) - base[2])
     else:
         plain = _garment_colour(sources, base[0][skin])
         found[2] = np.where(seen[:, None] & (kinds.worn > 0.5)[:, None], base[2], plain)
     arms = _any_segment(generic, ("arm", "hand"))
     for ends, dark in (("pelvis", TROUSERS), ("foot", SHOES)):
         top_m = vertices_m[_any_segment(generic, (ends,)), 1].max() - 0.5 * EDGE_M
-        share = np.where(seen | arms, 0.0, _rising(top_m - vertices_m[:, 1]))[:, None]
+        share = np.where(seen | arms, 0.0, _garment_ramp(top_m - vertices_m[:, 1]))[:, None]
         found[2] += share * (np.minimum(plain, dark) - found[2])
     return found
 
 
-def near_sight(sources: list[Source], graph: SurfaceGraph) -> Array:
-    """Return (V,) 1 at what photos show and up to 10 cm around it, 0 beyond: a collar says nothing of the legs."""
+def nearness_to_seen(sources: list[Source], graph: SurfaceGraph) -> Array:
+    """Return 1 (V,) at what photos show and up to 10 cm around it, 0 beyond."""
     return np.asarray(graph.distance_from(_shown(sources), PLAIN_M) < PLAIN_M, np.float64)
 
 
@@ -142,13 +144,13 @@ def _shown_cloth(sources: list[Source], kinds: Materials) -> NDArray[np.bool_]:
     return np.asarray(_shown(sources) & (kinds.worn > 0.5), bool)
 
 
-def _rising(inside_m: Array) -> Array:
-    """Return 0 outside a garment, 1 inside, by how far inside its edge something lies, metres."""
+def _garment_ramp(inside_m: Array) -> Array:
+    """Return 0 outside a garment to 1 inside, by the distance inside its edge, metres."""
     return np.asarray(np.clip(0.5 + inside_m / EDGE_M, 0.0, 1.0))
 
 
 def _neck_base_m(generic: GenericHuman, vertices_m: Array) -> Array:
-    """Return (V,) the height of a plain neckline there, metres: a plane through the throat's pit and the nape."""
+    """Return the height (V,) of a plain neckline, metres: a plane through throat pit and nape."""
     neck = vertices_m[generic.region("neck")]
     before = neck[:, 2] > neck[:, 2].mean()
     pit, nape = (half[half[:, 1].argmin()] for half in (neck[before], neck[~before]))
@@ -159,7 +161,9 @@ def _neck_base_m(generic: GenericHuman, vertices_m: Array) -> Array:
 def _neckline(
     generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Return (V,) the height of a shirt's upper edge, metres, that covers nothing seen bare, and what it may cover."""
+    """Return the height (V,) of a shirt's upper edge, metres, above which seen skin stays bare, and
+    what it may cover.
+    """
     base_m = _neck_base_m(generic, vertices_m)
     bare = vertices_m[_shown(sources) & (kinds.bare > 0.5) & ~generic.segment("head"), 1]
     lowest_m = bare.min(initial=np.inf) - BELOW_SKIN_M
@@ -168,15 +172,17 @@ def _neckline(
     return np.full(len(vertices_m), lowest_m), ~_any_segment(generic, ("arm", "hand"))
 
 
-def _beyond_skin(
+def _distance_from_seen_skin(
     generic: GenericHuman, sources: list[Source], kinds: Materials, vertices_m: Array, graph: SurfaceGraph
 ) -> Array:
-    """Return (V,) 0 close to skin that is seen, and above it at the neck, a throat in the chin's shade; 1 beyond."""
+    """Return 0 (V,) close to seen skin, and above it at the neck, to 1 beyond."""
     bare = _shown(sources) & (kinds.bare > 0.5)
-    found = _rising(graph.distance_from(bare, KEPT_M + EDGE_M) - KEPT_M)
+    found = _garment_ramp(graph.distance_from(bare, KEPT_M + EDGE_M) - KEPT_M)
     low = np.flatnonzero(bare & ~generic.segment("head"))
     rows = np.flatnonzero(
-        (found > 0.0) & _beside_neck(generic, vertices_m) & (vertices_m[:, 1] > vertices_m[low, 1].min(initial=np.inf))
+        (found > 0.0)
+        & _near_median_plane(generic, vertices_m)
+        & (vertices_m[:, 1] > vertices_m[low, 1].min(initial=np.inf))
     )
     if rows.size:
         below = cKDTree(vertices_m[low][:, [0, 2]]).query_ball_point(vertices_m[rows][:, [0, 2]], THROAT_M)
@@ -189,7 +195,7 @@ def _beyond_skin(
 
 
 def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (3,) the commonest colour of the photos' garments, a plain shirt's where it is the skin's or none is seen.
+    """Return the dominant colour (3,) of the photos' garments; a plain shirt's where it is like skin or none is seen.
 
     Parameters
     ----------
@@ -197,21 +203,21 @@ def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDA
     """
     worn = [s.plate.rgb[np.isin(s.plate.labels, GARMENTS)] for s in sources if not s.mirrored]
     pixels = np.concatenate(worn).astype(np.float32)
-    found = _commonest(pixels) if len(pixels) >= LEAST_PIXELS else SHIRT
-    return np.asarray(SHIRT if _as_skin(found, skin_rgb) else found, np.float32)
+    found = _dominant_colour(pixels) if len(pixels) >= LEAST_PIXELS else SHIRT
+    return np.asarray(SHIRT if _is_skin_coloured(found, skin_rgb) else found, np.float32)
 
 
-def _as_skin(rgb: NDArray[np.float32], skin_rgb: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return which colours (..., 3) are those of skin (N, 3), levels: a shirt of them would look like none."""
+def _is_skin_coloured(rgb: NDArray[np.float32], skin_rgb: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which colours (..., 3) are like skin (N, 3), levels: a shirt of them would look bare."""
     if not len(skin_rgb):
         return np.zeros(rgb.shape[:-1], bool)
-    return goes_on(rgb, np.median(log_levels(skin_rgb), axis=0), ONE_COLOUR)
+    return continues(rgb, np.median(log_levels(skin_rgb), axis=0), ONE_COLOUR)
 
 
-def _fall(
+def _cloth_above(
     generic: GenericHuman, cloth_rgb: NDArray[np.float32], vertices_m: Array, seen: NDArray[np.bool_]
 ) -> tuple[NDArray[np.float32], Array]:
-    """Return (V, 3) the colour of the cloth seen above each vertex, and (V,) how far aside that is, metres.
+    """Return the colour (V, 3) of the cloth seen above each vertex, and its distance sideways (V,), metres.
 
     Only the trunk's goes on downwards, and of it only what is seen to go on: no badge. For all else what is above
     is far.
@@ -220,13 +226,13 @@ def _fall(
     rows = np.flatnonzero(seen)
     near = rows[cKDTree(place[rows]).query(place)[1]]
     above = rows[cKDTree(vertices_m[rows]).query(vertices_m[near] + (0.0, LASTING_M, 0.0))[1]]
-    lasting = goes_on(cloth_rgb[near], log_levels(cloth_rgb[above]), ONE_COLOUR)
+    lasting = continues(cloth_rgb[near], log_levels(cloth_rgb[above]), ONE_COLOUR)
     aside = np.linalg.norm((vertices_m - vertices_m[near])[:, [0, 2]], axis=1)
     return cloth_rgb[near], np.where(_any_segment(generic, ("torso", "pelvis")) & lasting, aside, PLAIN_M)
 
 
-def _far(away_m: Array) -> Array:
-    """Return (V, 1) 0 as far as surfaces go on as seen, 1 where they are plain."""
+def _fade_to_plain(away_m: Array) -> Array:
+    """Return 0 (V, 1) as far as surfaces continue as seen, to 1 where they are plain."""
     return np.asarray(np.clip((away_m - KEPT_M) / (PLAIN_M - KEPT_M), 0.0, 1.0)[:, None])
 
 
@@ -236,13 +242,13 @@ def _any_segment(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.
     return np.asarray(of[generic.vertex_segment], bool)
 
 
-def _beside_neck(generic: GenericHuman, vertices_m: Array) -> NDArray[np.bool_]:
+def _near_median_plane(generic: GenericHuman, vertices_m: Array) -> NDArray[np.bool_]:
     """Return (V,) what lies hardly farther from the middle than the neck is wide."""
     reach = NECK_SHARE * float(np.abs(vertices_m[generic.region("neck"), 0]).max())
     return np.asarray(np.abs(vertices_m[:, 0]) < reach, bool)
 
 
-def _commonest(rgb: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (3,) the mean of the fullest cell of (N, 3) colours: a mean of all would be nobody's."""
+def _dominant_colour(rgb: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the mean (3,) of the fullest histogram cell of colours (N, 3)."""
     _, place, count = np.unique(np.floor(rgb / BIN_LEVELS), axis=0, return_inverse=True, return_counts=True)
     return np.asarray(rgb[place.ravel() == int(count.argmax())].mean(axis=0), np.float32)

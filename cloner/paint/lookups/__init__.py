@@ -1,1 +1,1 @@
-"""Where a texel's colour is looked up: photos as sources, and how far each is believed."""
+"""Lookups of texel colours in photos, and their reliability."""

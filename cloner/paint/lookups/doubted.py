@@ -1,4 +1,4 @@
-"""Sights that are not believed: at a slant a lookup wrong by a pixel lies centimetres off."""
+"""Rejection of unreliable lookups: at grazing angles an error of one pixel is centimetres on the surface."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.materials import (
     SQUARE,
     Materials,
-    goes_on,
-    shown_bare,
+    continues,
+    shown_bare_share,
     shown_surfaces,
     shows_garment,
 )
@@ -42,8 +42,8 @@ BROW, BESIDE_BROW = 0.75, 0.25
 BROW_CLAIM: Final = 2.0  # of its usual claim has the photo that faces the brows, around them
 
 
-def doubt_grazing(generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials) -> list[Source]:
-    """Return the sources without grazing sights that show something else than their surroundings.
+def reject_grazing(generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials) -> list[Source]:
+    """Return the sources without grazing lookups that differ from their surroundings.
 
     The top of a shoulder takes the colour of the neck behind it, a jaw that of a collar. Such a sight is believed where
     it agrees with what photos show squarely nearby; if it is not too slant, cloth may have stripes of its own.
@@ -56,17 +56,17 @@ def doubt_grazing(generic: GenericHuman, sources: list[Source], colours: Array, 
     """
     if kinds.around is None:
         return sources
-    shown = shown_bare(generic, sources)
+    shown = shown_bare_share(generic, sources)
     found = []
     for k, source in enumerate(sources):
-        alike = goes_on(colours[k], kinds.around) | ((source.sight.cosine > PATTERNED) & ~kinds.skin)
+        alike = continues(colours[k], kinds.around) | ((source.sight.cosine > PATTERNED) & ~kinds.skin)
         alike &= np.abs(shown[k] - kinds.bare) < STRANGE_KIND
         found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
     return found
 
 
-def doubt_strangers(generic: GenericHuman, sources: list[Source], kinds: Materials) -> list[Source]:
-    """Return the sources without what shows another part of the person than the surface is by all photos together.
+def reject_wrong_parts(generic: GenericHuman, sources: list[Source], kinds: Materials) -> list[Source]:
+    """Return the sources without lookups on another part of the person than the surface belongs to.
 
     The fitted arm misses the photo's arm by a centimetre, and the trunk behind would paint a streak on the sleeve.
     Where no photo shows the right part the surface is filled from around it. Face and ears keep what photos show
@@ -84,8 +84,8 @@ def doubt_strangers(generic: GenericHuman, sources: list[Source], kinds: Materia
     return [replace(s, score=np.where(strange[k], 0.0, s.score)) for k, s in enumerate(sources)]
 
 
-def doubt_slanted(generic: GenericHuman, sources: list[Source], evened: Array, graph: SurfaceGraph) -> list[Source]:
-    """Return the sources without what they show on the face where a photo with a better claim shows another thing.
+def reject_slanted(generic: GenericHuman, sources: list[Source], evened: Array, graph: SurfaceGraph) -> list[Source]:
+    """Return the sources without oblique lookups on the face that differ from a photo with a better view.
 
     Hair beside the temple, a brow's tail a few millimetres off: whose place it is by angle is right, however burnt
     out it is there.
@@ -100,24 +100,26 @@ def doubt_slanted(generic: GenericHuman, sources: list[Source], evened: Array, g
     brow = np.stack([sample(source.plate.brows, source.lookup_px)[:, 0] / 255.0 for source in sources])
     face = generic.region("face")
     own = (brow > BROW) | generic.region("eyelids") | generic.region("lips")
-    hidden = face & ~own & _before_skin(sources, claim, level.mean(axis=2), graph)
+    hidden = face & ~own & _dark_before_skin(sources, claim, level.mean(axis=2), graph)
     claim = np.where(hidden, 0.0, np.where(brow > BESIDE_BROW, BROW_CLAIM * claim, claim))
     best = claim.argmax(axis=0)
     gap = np.abs(level - level[best, np.arange(len(best))]).mean(axis=2)
     other = ((gap > FACE_GAP) | (brow.max(axis=0) > BESIDE_BROW)) & face & (claim > 0.0)
-    other = _grown(other, graph, 1) & (np.arange(len(sources))[:, None] != best)  # half its ring is of the other thing
+    other = _dilated(other, graph, 1) & (
+        np.arange(len(sources))[:, None] != best
+    )  # half its ring is of the other thing
     denied = hidden | other
     return [replace(source, score=np.where(denied[k], 0.0, source.score)) for k, source in enumerate(sources)]
 
 
 def _angle_claim(generic: GenericHuman, source: Source, photos: frozenset[ViewId]) -> Array:
-    """Return (V,) a photo's claim by its angle alone, whatever burns it out; 0 where it does not show the surface."""
+    """Return a photo's claim (V,) by its viewing angle alone; 0 where it does not show the surface."""
     share = photo_shares(generic, source.view, photos=photos) * (mirrored_share() if source.mirrored else 1.0)
     return np.where(source.score > 0.0, share * np.clip(source.sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)
 
 
-def _before_skin(sources: list[Source], claim: Array, level: Array, graph: SurfaceGraph) -> NDArray[np.bool_]:
-    """Return (K, V) where a photo shows at a slant something dark, and a little around it, and another one skin.
+def _dark_before_skin(sources: list[Source], claim: Array, level: Array, graph: SurfaceGraph) -> NDArray[np.bool_]:
+    """Return where (K, V) a photo obliquely shows something dark, with a margin, and another one skin.
 
     Parameters
     ----------
@@ -129,11 +131,11 @@ def _before_skin(sources: list[Source], claim: Array, level: Array, graph: Surfa
     skin = np.where(telling, level, -np.inf).max(axis=0)
     dark = (level < skin - FACE_GAP) & (cosine < SLANTED) & (claim > 0.0)
     others = telling.sum(axis=0) - telling
-    return np.asarray(_grown(dark, graph, HAIR_RINGS) & (cosine < SLANTED) & (others > 0), bool)
+    return np.asarray(_dilated(dark, graph, HAIR_RINGS) & (cosine < SLANTED) & (others > 0), bool)
 
 
-def _grown(flags: NDArray[np.bool_], graph: SurfaceGraph, rings: int) -> NDArray[np.bool_]:
-    """Return (K, V) flags spread to the neighbours along the surface."""
+def _dilated(flags: NDArray[np.bool_], graph: SurfaceGraph, rings: int) -> NDArray[np.bool_]:
+    """Return flags (K, V) dilated to neighbours along the surface."""
     link = (graph.lengths > 0).astype(np.float64)
     grown: Array = flags.T.astype(np.float64)
     for _ in range(rings):

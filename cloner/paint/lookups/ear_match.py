@@ -1,4 +1,4 @@
-"""Where a side photo shows the ear: its hairline tells, and lookups follow.
+"""Alignment of the ear in a side photo by the hairline around it.
 
 The head's shape is fitted to face and outlines; an ear a centimetre off is no
 error of theirs, but painted there it shows twice. Above and behind, an ear
@@ -52,7 +52,7 @@ def shift_ear(
     view: ViewId,
     lookup_px: Array,
 ) -> Array:
-    """Return lookups (V, 2) of a side photo with the near ear laid on the one in the photo.
+    """Return the lookups (V, 2) of a side photo with the near ear aligned to the one in the photo.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def _ear_rings(lookup_px: Array, triangles: NDArray[np.int32], nose_px: Array, w
 
 
 def _best_fit(rings: _Rings, hair: NDArray[np.float32], pixel_mm: float) -> tuple[float, Array] | None:
-    """Return size and shift (2,), px, with which hair begins at the ear's border; None when none is convincing."""
+    """Return size and shift (2,), px, at which hair begins at the ear's border; None when none is convincing."""
     steps = np.arange(-FARTHEST_MM, FARTHEST_MM + STEP_MM / 2.0, STEP_MM)
     shifts = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2)
     shifts = shifts[np.linalg.norm(shifts, axis=1) <= FARTHEST_MM]
@@ -126,7 +126,7 @@ def _best_fit(rings: _Rings, hair: NDArray[np.float32], pixel_mm: float) -> tupl
 
 
 def _contrast(rings: _Rings, hair: NDArray[np.float32], size: float, shifts_px: Array) -> Array:
-    """Return (S,) how much more hair lies outside the ear's border than inside it."""
+    """Return how much more hair (S,) lies outside the ear's border than inside it."""
     found = []
     for ring in (rings.outside_px, rings.inside_px):
         place = rings.middle_px + size * (ring - rings.middle_px)

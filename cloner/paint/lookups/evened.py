@@ -1,4 +1,4 @@
-"""Photos compared on the surface: evened light, disagreement, colours where no photo sees."""
+"""Photos normalised on the surface: exposure, white balance and light; and fills where no photo sees it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.flattened import flatten_halves, flatten_slants, soften_glare
-from cloner.paint.lookups.materials import Materials, of_skin, shown_bare
+from cloner.paint.lookups.materials import Materials, is_skin_colour, shown_bare_share
 from cloner.paint.lookups.sources import Source, shown_colours
 from cloner.records.arrays import Array
 from cloner.records.results import Residual
@@ -48,7 +48,7 @@ def vertex_colours(sources: list[Source]) -> Array:
     return np.stack([shown_colours(s, s.lookup_px, blurred=True) for s in sources]).astype(np.float64)
 
 
-def even_photos(
+def normalise_photos(
     generic: GenericHuman,
     sources: list[Source],
     colours: Array,
@@ -56,7 +56,7 @@ def even_photos(
     kinds: Materials,
     graph: SurfaceGraph,
 ) -> Array:
-    """Return (K, V, 3) log gains per source and vertex that even out exposure, white balance and light.
+    """Return log gains (K, V, 3) per source and vertex that normalise exposure, white balance and light.
 
     Four steps, each on what the one before left: light from one side, told by
     the person's own symmetry; one exposure and first-order light a photo, told
@@ -69,13 +69,13 @@ def even_photos(
     normals : (V, 3) unit
     kinds : Materials
     """
-    trust = np.stack([_trust(source) for source in sources]) * exposure_confidence(colours)
+    trust = np.stack([_comparison_weights(source) for source in sources]) * exposure_confidence(colours)
     skin, worn = (kinds.bare > 0.5) & (kinds.scalp < 0.5), kinds.worn > 0.5
     halves = flatten_halves(sources, colours, skin, generic.mirror, graph)
-    bare = _even_kind(sources, colours, normals, trust * skin, halves, SKIN_PRIOR)
-    sides = _flattened(generic, sources, colours, trust * worn, normals)
+    bare = _normalise_kind(sources, colours, normals, trust * skin, halves, SKIN_PRIOR)
+    sides = _without_one_sided_light(generic, sources, colours, trust * worn, normals)
     light = kinds.bare[:, None] * bare
-    light += kinds.worn[:, None] * _even_kind(sources, colours, normals, trust * worn, sides, 0.0)
+    light += kinds.worn[:, None] * _normalise_kind(sources, colours, normals, trust * worn, sides, 0.0)
     first = reference_index(_shown(sources), _REFERENCES)
     if (trust[first] * skin).any():
         logs = np.asarray(log_levels(colours), np.float64) + light
@@ -84,10 +84,10 @@ def even_photos(
     return np.asarray(light)
 
 
-def level_photos(
+def match_borders(
     generic: GenericHuman, sources: list[Source], colours: Array, light: Array, kinds: Materials, graph: SurfaceGraph
 ) -> Array:
-    """Return log gains (K, V, 3) with a smooth rest along the borders between photos on top of ``light`` (K, V, 3).
+    """Return log gains (K, V, 3): ``light`` (K, V, 3) plus a smooth remainder along the borders between photos.
 
     So no border needs a wide blend in the atlas. What is left on skin is shade where it turns away from all photos.
 
@@ -96,19 +96,21 @@ def level_photos(
     colours : (K, V, 3) levels, not yet evened
     """
     score = np.stack([source.score for source in sources])
-    light = light + level_borders(evened_colours(colours, light), score, exposure_confidence(colours), graph)
+    light = light + border_gains(normalised_colours(colours, light), score, exposure_confidence(colours), graph)
     logs = np.asarray(log_levels(colours), np.float64) + light
     skin = (kinds.bare > 0.5) & (kinds.scalp < 0.5)
     return np.asarray(light + (kinds.bare * flatten_slants(generic, sources, logs, skin, graph))[:, None])
 
 
-def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Array, own: Array, prior: float) -> Array:
-    """Return (K, V, 3) log gains, ``own`` (K, V, 3) with what brings photos together on top, by ``trust`` (K, V).
+def _normalise_kind(
+    sources: list[Source], colours: Array, normals: Array, trust: Array, own: Array, prior: float
+) -> Array:
+    """Return log gains (K, V, 3): ``own`` (K, V, 3) plus what matches the photos, weighted by ``trust`` (K, V).
 
     With a ``prior`` > 0 the surface is thought of one colour as well, by that share of a photo's
     trust: light that overlaps do not show is told by the skin itself.
     """
-    level = evened_colours(colours, own)
+    level = normalised_colours(colours, own)
     first = reference_index(_shown(sources), _REFERENCES if prior > 0.0 else CLOTH_REFERENCES)
     hold = np.where(np.arange(len(sources)) == first, REFERENCE_HOLD, 1.0)
     rows = trust[first] > 0.0
@@ -128,8 +130,10 @@ def _shown(sources: list[Source]) -> list[tuple[ViewId, bool]]:
     return [(source.view, source.mirrored) for source in sources]
 
 
-def _flattened(generic: GenericHuman, sources: list[Source], colours: Array, trust: Array, normals: Array) -> Array:
-    """Return (K, V, 3) log gains that take some of the one-sided light off cloth in photos that show both halves."""
+def _without_one_sided_light(
+    generic: GenericHuman, sources: list[Source], colours: Array, trust: Array, normals: Array
+) -> Array:
+    """Return log gains (K, V, 3) that reduce one-sided light on cloth in photos that show both halves."""
     light = np.zeros((len(sources), len(normals), 3))
     for k, source in enumerate(sources):
         if source.view.is_side:
@@ -139,14 +143,14 @@ def _flattened(generic: GenericHuman, sources: list[Source], colours: Array, tru
     return light
 
 
-def _trust(source: Source) -> Array:
-    """Return (V,) weights for comparing photos; mirrored ones count little, halves differ."""
+def _comparison_weights(source: Source) -> Array:
+    """Return weights (V,) for comparing photos; mirrored ones count little, as halves differ."""
     steep = np.clip((source.sight.cosine - TRUSTED_COSINE) / (1.0 - TRUSTED_COSINE), 0.0, 1.0)
     return np.where(source.score > 0.0, steep, 0.0) * (0.25 if source.mirrored else 1.0)
 
 
-def level_borders(colours: Array, claim: Array, trust: NDArray[np.floating], graph: SurfaceGraph) -> Array:
-    """Return (K, V, 3) smooth log gains that bring photos together where they take over from each other.
+def border_gains(colours: Array, claim: Array, trust: NDArray[np.floating], graph: SurfaceGraph) -> Array:
+    """Return smooth log gains (K, V, 3) that match photos along their borders.
 
     Where photos agree on what they show, each is drawn towards their mean,
     weighted by claim; the correction dies away over some ten edges. Where they
@@ -185,15 +189,15 @@ def level_borders(colours: Array, claim: Array, trust: NDArray[np.floating], gra
     return np.stack(list(abreast(gains, range(len(logs)))))
 
 
-def evened_colours(colours: Array, light: Array) -> Array:
-    """Return (K, V, 3) vertex colours after evening, levels."""
+def normalised_colours(colours: Array, light: Array) -> Array:
+    """Return vertex colours (K, V, 3) after normalisation, levels."""
     return np.stack([apply_light(colours[k], light[k]) for k in range(len(colours))])
 
 
 def compare_photos(sources: list[Source], colours: Array, light: Array) -> list[Residual]:
-    """Return per photo the median difference to the others on shared surface, before and after, grey levels."""
-    evened = evened_colours(colours, light)
-    trust = np.stack([_trust(source) for source in sources])
+    """Return each photo's median difference to the others on shared surface, before and after, grey levels."""
+    evened = normalised_colours(colours, light)
+    trust = np.stack([_comparison_weights(source) for source in sources])
     found: list[Residual] = []
     for k, source in enumerate(sources):
         if source.mirrored:
@@ -217,7 +221,7 @@ def fill_surface(
     is filled with skin above the line and cloth below it.  Skin spreads from what has the person's colour alone:
     a collar's rim or the shade of a jaw does not run down the neck.
     """
-    shown = shown_bare(generic, sources)
+    shown = shown_bare_share(generic, sources)
     skin = kinds.bare * (1.0 - kinds.scalp)
 
     def field(of_kind: tuple[Array, Array]) -> Array:
@@ -225,7 +229,7 @@ def fill_surface(
         colour, weight = _mean_shown(generic, sources, evened, alike)
         own = weight * np.clip(2.0 * kind - 1.0, 0.0, 1.0)
         if kind is skin:
-            own *= of_skin(np.asarray(log_levels(colour), np.float64), own > FILL_TRUST)
+            own *= is_skin_colour(np.asarray(log_levels(colour), np.float64), own > FILL_TRUST)
         if not (own > FILL_TRUST).any():  # no photo shows this kind: whatever is there must do
             colour, own = _mean_shown(generic, sources, evened, np.ones_like(shown))
         near = colour[graph.nearest(own > FILL_TRUST)]
@@ -236,7 +240,7 @@ def fill_surface(
 
 
 def _mean_shown(generic: GenericHuman, sources: list[Source], evened: Array, alike: Array) -> tuple[Array, Array]:
-    """Return (V, 3) mean colours of the photos that show one kind, and (V,) how well it is seen."""
+    """Return mean colours (V, 3) of the photos that show one kind, and how well it is seen (V,)."""
     score = np.stack([source.score for source in sources]) * alike
     total = score.sum(axis=0)
     colour = (score[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]

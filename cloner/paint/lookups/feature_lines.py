@@ -1,4 +1,4 @@
-"""Side and back photos displaced along the lines that they share with the front, so that the lines meet.
+"""Side and back photos warped along feature lines that they share with the front photo.
 
 The fit is wrong by some millimetres, and by another few in every photo: laid down as they are, two photos draw a brow,
 a hairline or a stripe twice where they mix. The front photos stay, for they show most and squarely; the others meet
@@ -41,8 +41,8 @@ MEETING: Final = (
 )
 
 
-def meet_lines(generic: GenericHuman, sources: list[Source]) -> list[Source]:
-    """Return the sources with lookups displaced so that the lines they share with better ones meet.
+def align_feature_lines(generic: GenericHuman, sources: list[Source]) -> list[Source]:
+    """Return the sources with lookups warped so that the lines they share with better ones coincide.
 
     Parameters
     ----------
@@ -56,13 +56,13 @@ def meet_lines(generic: GenericHuman, sources: list[Source]) -> list[Source]:
     found = list(sources)
     for view, others in MEETING:
         stay = [source for source in found if source.view in others]
-        for met in [_met(generic, atlas, stay, lines, source) for source in own if source.view is view]:
+        for met in [_aligned(generic, atlas, stay, lines, source) for source in own if source.view is view]:
             found = [_moved(generic, source, met) if source.view is view else source for source in found]
     return found
 
 
 def _moved(generic: GenericHuman, source: Source, met: Source) -> Source:
-    """Return a photo's source, which may be its mirrored one, with the lookups of the displaced one."""
+    """Return a photo's source, or its mirrored one, with the lookups of the warped one."""
     return replace(source, lookup_px=met.lookup_px[generic.mirror]) if source.mirrored else met
 
 
@@ -71,25 +71,29 @@ def _reach(view: ViewId) -> MatchScales:
 
 
 def _lines_of(source: Source) -> dict[MatchScales, list[LinePicture]]:
-    """Return a photo's lines as fine as faces, and as fine as bodies are matched."""
+    """Return a photo's line features at the scales of faces and of bodies."""
     plate, pixel_m = source.plate, source.sight.metres_per_pixel * DEPTH_SCALE
     wanted = (FACE, BODY) if source.view.is_face else (BODY,)
     return {reach: line_pictures(plate.rgb, plate.labels, plate.inside_px > 0.0, pixel_m, reach) for reach in wanted}
 
 
-def _met(
+def _aligned(
     generic: GenericHuman,
     atlas: AtlasMap,
     others: list[Source],
     lines: dict[ViewId, dict[MatchScales, list[LinePicture]]],
     source: Source,
 ) -> Source:
-    """Return a source displaced towards others; arms, which hang before the trunk, by themselves."""
+    """Return a source warped towards others; arms, which hang before the trunk, separately."""
     reach = _reach(source.view)
     limb = arms(generic)
     lookup = source.lookup_px.copy()
     for part in (limb, ~limb):
-        shared = [(lines[other.view][reach], look) for other in others if (look := _shared(atlas, source, other, part))]
+        shared = [
+            (lines[other.view][reach], look)
+            for other in others
+            if (look := _shared_samples(atlas, source, other, part))
+        ]
         if shared:
             pixel_m = source.sight.metres_per_pixel * DEPTH_SCALE
             field = match_lines(lines[source.view][reach], shared, pixel_m, reach)
@@ -97,8 +101,8 @@ def _met(
     return source if (lookup == source.lookup_px).all() else replace(source, lookup_px=lookup)
 
 
-def _shared(atlas: AtlasMap, source: Source, other: Source, part: NDArray[np.bool_]) -> SharedSamples | None:
-    """Return what two sources both show of some vertices (V,), None where that is nothing."""
+def _shared_samples(atlas: AtlasMap, source: Source, other: Source, part: NDArray[np.bool_]) -> SharedSamples | None:
+    """Return the samples of some vertices (V,) that two sources both show, None where there are none."""
     seen = part.copy()
     for one in (source, other):
         seen &= (one.score > 0.0) & (one.sight.cosine > LEAST_COSINE)

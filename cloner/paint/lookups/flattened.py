@@ -1,4 +1,4 @@
-"""Hard light on skin, told without a model of the lamp: by the person's two halves, and by glare.
+"""Removal of hard light on skin without a model of the lamp: by left-right symmetry, and by highlights.
 
 A lamp at one side draws a terminator and the nose's shadow on a face: no light of low order says so. But
 people are alike on both halves, and skin is hardly anywhere much brighter than most of it is.
@@ -38,7 +38,7 @@ LARGEST_SHADE: Final = 0.15  # taste; .25 costs .5 dE against photos in the same
 def flatten_halves(
     sources: list[Source], colours: Array, skin: NDArray[np.bool_], twin: NDArray[np.integer], graph: SurfaceGraph
 ) -> Array:
-    """Return (K, V, 3) log gains that bring the two halves of skin together in photos that show both.
+    """Return log gains (K, V, 3) that match the two halves of skin in photos that show both.
 
     Soft light keeps most of its side; of hard light only as much is left as soft light has.
 
@@ -69,7 +69,7 @@ def flatten_halves(
 def soften_glare(
     sources: list[Source], logs: Array, skin: NDArray[np.bool_], plain: Array, graph: SurfaceGraph
 ) -> Array:
-    """Return (K, V, 3) log gains <= 0 on the mean that bring hard-lit skin near the colour most skin has.
+    """Return log gains (K, V, 3), mostly negative, that bring hard-lit skin near the dominant skin colour.
 
     Only what is brighter: shade may be a beard. And only skin's own hue: faces may be painted.
 
@@ -99,7 +99,7 @@ def soften_glare(
 def flatten_slants(
     generic: GenericHuman, sources: list[Source], logs: Array, skin: NDArray[np.bool_], graph: SurfaceGraph
 ) -> Array:
-    """Return (V,) log gains on a head's skin that all photos see at a slant, for all of them: its light is that around.
+    """Return log gains (V,) on head skin that all photos see obliquely: it takes the light of its surroundings.
 
     Between front and side a cheek turns away from both and from the lamps beside both cameras: a dark strip down the
     face that no relighting explains.

@@ -1,4 +1,4 @@
-"""What the surface is made of, by vote of the photos: bare skin, hair, or something worn."""
+"""Materials of the surface by vote of the photos: bare skin, hair, or something worn."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ HAIR_ROUNDS = 2  # rings over which the scalp's own kind fades
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Materials:
-    """Shares of kinds at each vertex.
+    """Shares of materials at each vertex.
 
     Attributes
     ----------
@@ -51,12 +51,12 @@ class Materials:
 
     @property
     def skin(self) -> NDArray[np.bool_]:
-        """Which vertices (V,) are skin and neither hair nor worn."""
+        """Return which vertices (V,) are skin and neither hair nor worn."""
         return np.asarray(self.bare * (1.0 - self.scalp) > 0.5)
 
 
 def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[Array, Array]:
-    """Return votes (V, S) and weights in which unseen vertices lean to what most of their body part is."""
+    """Return votes (V, S) and weights in which unseen vertices lean to the majority of their body part."""
     segment = generic.vertex_segment
     total = np.bincount(segment, weight)
     sums = np.stack([np.bincount(segment, weight * column) for column in vote.T], axis=1)
@@ -67,7 +67,7 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
 
 
 def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:
-    """Return the vertices of both hands that no cuff reaches."""
+    """Return the vertices of both hands that no cuff covers."""
     found = []
     for side in ("left", "right"):
         rows = np.flatnonzero(generic.segment(f"{side}_hand"))
@@ -77,7 +77,7 @@ def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:
 
 
 def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph) -> Materials:
-    """Return the kinds with what photos show squarely around each vertex: skin beside skin, other things beside such.
+    """Return the materials with what photos show frontally around each vertex.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, g
     if not square.any():
         return kinds
     bare = square * kinds.skin
-    bare *= np.stack([of_skin(shown, weight > 0.0) for shown, weight in zip(logs, bare, strict=True)])
+    bare *= np.stack([is_skin_colour(shown, weight > 0.0) for shown, weight in zip(logs, bare, strict=True)])
     around = []
     for weight in (square * ~kinds.skin, bare):
         total = weight.sum(axis=0)
@@ -97,8 +97,8 @@ def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, g
     return replace(kinds, around=np.where(kinds.skin[:, None], around[1], around[0]))
 
 
-def of_skin(logs: Array, told: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return which log levels (N, 3) differ from the skin's by no more than light can do: no collar's rim, no beard.
+def is_skin_colour(logs: Array, told: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which log levels (N, 3) differ from the skin's by no more than lighting explains.
 
     Parameters
     ----------
@@ -110,8 +110,8 @@ def of_skin(logs: Array, told: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return np.asarray(beyond_light(logs - np.median(logs[told], axis=0)) < 1.0)
 
 
-def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating], most: float = 1.0) -> NDArray[np.bool_]:
-    """Return which colours (..., 3), levels, differ from log levels around them by no more than light can do.
+def continues(rgb: NDArray[np.floating], around: NDArray[np.floating], most: float = 1.0) -> NDArray[np.bool_]:
+    """Return which colours (..., 3), levels, differ from log levels around them by no more than lighting explains.
 
     ``most`` is the limit as a share of that.
     """
@@ -119,7 +119,7 @@ def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating], most: float
 
 
 def shows_garment(source: Source, lookup_px: NDArray[np.floating]) -> NDArray[np.bool_]:
-    """Return which of (N,) lookups land on a garment: a collar beside the jaw is not the face's.
+    """Return which lookups (N,) land on a garment: a collar beside the jaw is not the face's.
 
     In a photo that is said to show no skin at all a face was taken for cloth.
     """
@@ -127,20 +127,20 @@ def shows_garment(source: Source, lookup_px: NDArray[np.floating]) -> NDArray[np
     return worn & bool(source.plate.bare.any())
 
 
-def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:
-    """Return (K, V) in 0..1 how much of the person's own, skin or hair, each photo shows at each vertex."""
+def shown_bare_share(generic: GenericHuman, sources: list[Source]) -> Array:
+    """Return in 0..1 (K, V) how much of the person's own skin or hair each photo shows at each vertex."""
     shown = np.stack([sample(s.plate.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
     garment = np.stack([shows_garment(source, source.lookup_px) for source in sources])
     return np.where(always_bare(generic) & ~garment, 1.0, shown)
 
 
 def shown_surfaces(sources: list[Source]) -> NDArray[np.int8]:
-    """Return (K, V) the place in ``SURFACES`` of what each photo shows at each vertex, -1 where that is nobody."""
+    """Return the index in ``SURFACES`` (K, V) of what each photo shows at each vertex, -1 where that is nobody."""
     return np.stack([SURFACE_OF[labels_at(source.plate.labels, source.lookup_px)] for source in sources])
 
 
 def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceGraph) -> Materials:
-    """Return what each vertex is made of, by the labels of all photos.
+    """Return the materials of each vertex, by the labels of all photos.
 
     The photo that shows a place best decides: photos disagree about where
     a collar ends, because heads turn and cloth moves, and their mean would be a smear.

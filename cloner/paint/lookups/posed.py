@@ -1,4 +1,4 @@
-"""The person's mesh as it stood in a photo."""
+"""The person's mesh in a photo's pose."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ def parents_of(generic: GenericHuman) -> NDArray[np.int32]:
     return np.asarray(generic.joint_parents, np.int32)
 
 
-def pose(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
-    """Return the (V, 3) vertices as the person stood in one photo, metres."""
+def posed_vertices(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
+    """Return the vertices (V, 3) of the person in one photo's pose, metres."""
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
     joints, weights = np.asarray(generic.skin_joints, np.int32), np.asarray(generic.skin_weights, np.float64)
     return linear_blend_skinning(joined.vertices_m, transforms, joints, weights)
 
 
-def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
-    """Return the (N, 3) vertices of a shell as in one photo, metres."""
+def posed_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
+    """Return the vertices (N, 3) of a shell in one photo's pose, metres."""
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
     return linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Stood:
-    """A person before the camera of one photo.
+class PosedPerson:
+    """A person in front of one photo's camera.
 
     Attributes
     ----------
@@ -53,16 +53,16 @@ class Stood:
 
     @property
     def shown(self) -> NDArray[np.bool_]:
-        """The (h, w) pixels that body or shells cover, at ``DEPTH_SCALE``."""
+        """Return the pixels (h, w) that body or shells cover, at ``DEPTH_SCALE``."""
         return np.asarray(np.isfinite(self.sight.nearest_m) | np.isfinite(self.hair_m), bool)
 
 
-def stand(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> Stood:
-    """Return the person as one photo's camera sees body and shells."""
-    posed = pose(generic, joined, view)
+def pose_person(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> PosedPerson:
+    """Return the person with body and shells in front of one photo's camera."""
+    posed = posed_vertices(generic, joined, view)
     sight = visibility(posed, body_triangles(), view.camera)
     hair_m = np.full_like(sight.nearest_m, np.inf)
     for shell in shells:
-        shape = pose_shell(generic, joined, view, shell)
+        shape = posed_shell(generic, joined, view, shell)
         hair_m = np.minimum(hair_m, depth_picture(shape, shell.triangles, view.camera))
-    return Stood(posed, sight, hair_m)
+    return PosedPerson(posed, sight, hair_m)

@@ -1,4 +1,4 @@
-"""Photos made ready to paint with: the person without room, glasses and other people's colours."""
+"""Photos prepared for painting: the person without background, glasses and other people's colours."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ FRAME_RIM_SHARE = 0.012  # of a pair of glasses, 1.6 mm: the label ends inside t
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """When a photo may paint a surface.
+    """Conditions under which a photo may paint a surface.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Limits:
 
 
 def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
-    """Return the (H, W) person: the extracted outline, or the net's mask where there is none."""
+    """Return the person (H, W): the extracted outline, or the net's mask where there is none."""
     silhouette = silhouettes.views.get(view)
     if silhouette is not None and silhouette.mask.shape == proposal.mask.shape:
         return silhouette.mask
@@ -66,7 +66,7 @@ def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteS
     return {view: found.get(view, first) for view in photos.photos}
 
 
-def make_plate(
+def matted_photo(
     view: ViewId,
     rgb: NDArray[np.uint8],
     proposal: Proposal,
@@ -87,7 +87,7 @@ def make_plate(
 
 
 def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray[np.uint8], Proposal]:
-    """Return a photo (H, W, 3) and its proposal with the frame of glasses replaced by the skin around it.
+    """Return a photo (H, W, 3) and its proposal with the spectacle frame replaced by the skin around it.
 
     Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
     2004); the frame is drawn on a shell of its own.

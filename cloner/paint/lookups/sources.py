@@ -1,4 +1,4 @@
-"""Every photo as a source of colour: where it shows each vertex, and how well."""
+"""Photos as sources of colour: lookup, visibility and quality at each vertex."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.cameras.seeing import Visibility, depth_at
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.lookups.ear_match import shift_ear
-from cloner.paint.lookups.posed import Stood, stand
-from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, make_plate, person_mask, person_skin, without_glasses
+from cloner.paint.lookups.posed import PosedPerson, pose_person
+from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, matted_photo, person_mask, person_skin, without_glasses
 from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -94,7 +94,7 @@ def gather_sources(
     glasses = wears_glasses(proposals)
 
     def prepared(view: ViewId) -> tuple[Source, float] | None:
-        stood = stand(generic, joined, shells, joined.views[view])
+        stood = pose_person(generic, joined, shells, joined.views[view])
         mask = person_mask(view, proposals.views[view], silhouettes)
         if not view.is_face:  # a face photo's shoulders hang in no known pose
             mask = remove_outside_body(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
@@ -102,7 +102,7 @@ def gather_sources(
         photo, proposal = photos.photos[view].rgb, proposals.views[view]
         if glasses:
             photo, proposal = without_glasses(photo, proposal)
-        plate = make_plate(view, photo, proposal, mask, limits, skins.get(view))
+        plate = matted_photo(view, photo, proposal, mask, limits, skins.get(view))
         if not (plate.inside_px > 0.0).any():
             return None
         return make_source(generic, stood, view, plate, limits, taken)
@@ -125,13 +125,13 @@ def gather_sources(
 
 def make_source(
     generic: GenericHuman,
-    stood: Stood,
+    stood: PosedPerson,
     view: ViewId,
     plate: MattedPhoto,
     limits: Limits,
     taken: frozenset[ViewId],
 ) -> tuple[Source, float]:
-    """Return one photo as a source and the mean gap between outlines before the shift, px."""
+    """Return one photo as a source, and the mean distance between outlines before the shift, px."""
     sight = stood.sight
     fitted = generic.region("face") & (sight.cosine > FITTED_COSINE)
     lookup, gap = align(sight, plate, limits, sight.pixel_px[fitted] if view.is_face else None)
@@ -160,7 +160,7 @@ def make_source(
 
 
 def align(sight: Visibility, plate: MattedPhoto, limits: Limits, placed_px: Array | None = None) -> tuple[Array, float]:
-    """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px.
+    """Return lookups (V, 2) after the mesh's outline was moved to the photo's, and the distance, px.
 
     ``placed_px`` (N, 2) is where the mesh lies on the photo already: shoulders in no known pose, as a face photo shows
     them, do not move it.
@@ -182,7 +182,7 @@ def shown_colours(
     *,
     blurred: bool = False,
 ) -> NDArray[np.float32]:
-    """Return (N, 3) what a photo shows at (N, 2) lookups, levels, burnt-out skin mended.
+    """Return the photo's colours (N, 3) at lookups (N, 2), levels, overexposed skin restored.
 
     ``skin`` (N,) in 0..1 is what the plate's ``skin`` shows there, where that is known already.
     """
@@ -207,7 +207,7 @@ def mirror_source(generic: GenericHuman, source: Source) -> Source:
 
 
 def mirror_hidden(generic: GenericHuman, source: Source) -> Source:
-    """Return a front photo of the face as the source of what hair or the head's turn hides in it on one half.
+    """Return a front photo of the face as the source of the half that hair or the head's yaw hides in it.
 
     A turned head shows one cheek and ear at a slant, its edge stretched, and the other ones well.
     """
@@ -225,7 +225,7 @@ def visible_points(
     depth_m: NDArray[np.floating],
     cosine: NDArray[np.floating],
 ) -> NDArray[np.bool_]:
-    """Return which of (N,) surface points the photo shows, hair left aside."""
+    """Return which surface points (N,) the photo shows, hair left aside."""
     seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
     near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
     opening = sample(source.plate.openings.view(np.uint8), lookup_px)[:, 0] > 0.5
@@ -240,7 +240,7 @@ def covered_by_hair(
     allowed: NDArray[np.bool_],
     kept: NDArray[np.bool_],
 ) -> NDArray[np.bool_]:
-    """Return which of (N,) points lie below hair that is not theirs.
+    """Return which points (N,) lie below hair that is not theirs.
 
     Parameters
     ----------

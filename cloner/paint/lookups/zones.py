@@ -1,4 +1,4 @@
-"""Parts of the surface and of a photo in which hair is believed, and lookups are doubted."""
+"""Zones of the surface and of a photo where hair is accepted and lookups are rejected."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ HAIRLINE_REACH_M: Final = 0.035
 
 
 def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) face and ears: the person's own whatever colours say, under paint and glasses too."""
+    """Return face and ears (V,): bare whatever colours say, under paint and glasses too."""
     return generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
 
 
 def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) where hair in the photo is the surface's own colour: the scalp."""
+    """Return where (V,) hair in the photo is the surface's own colour: the scalp."""
     return generic.region("scalp")
 
 
@@ -40,7 +40,7 @@ def _near_hairline() -> NDArray[np.bool_]:
 
 
 def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) where hair labels are not believed unless a shell hides the skin: the face's rim below the hairline.
+    """Return where (V,) hair labels are ignored unless a shell covers the skin: the face's rim below the hairline.
 
     Farther in it is a fringe or a strand that is labelled so, and the skin below it is another photo's.
     """
@@ -48,7 +48,7 @@ def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
 
 
 def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: float) -> NDArray[np.bool_]:
-    """Return (H, W) True within a reach of what hair shells cover: labels farther off are collars and napes."""
+    """Return the pixels (H, W) close to what hair shells cover: labels farther off are collars and napes."""
     height, width = shape[:2]
     size = 2 * int(np.ceil(reach_px * hair_m.shape[0] / height)) + 1
     near = cv2.dilate(np.isfinite(hair_m).astype(np.uint8), np.ones((size, size), np.uint8))
@@ -56,7 +56,7 @@ def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: fl
 
 
 def near_bare_head(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
-    """Return which of (V,) lookups land on or beside the bare skin of head and neck; arms have skin of their own."""
+    """Return which lookups (V,) land on or beside the bare skin of head and neck; arms have skin of their own."""
     reach = 2 * int(np.ceil(STRAY_SHARE * plate.figure_px)) + 1
     head = plate.bare.astype(np.uint8)
     head[max(int(np.ceil(lookup_px[generic.region("neck"), 1].max())), 0) :] = 0
@@ -65,7 +65,7 @@ def near_bare_head(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) 
 
 
 def in_arm_zone(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
-    """Return (V,) False where an arm is seen but the mesh has the trunk, or the other way round."""
+    """Return False (V,) where an arm is seen but the mesh has the trunk, or the other way round."""
     if not plate.arms.any():
         return np.ones(len(lookup_px), bool)
     shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5

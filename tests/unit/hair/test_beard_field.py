@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.hair.shells.beard import below_mm
+from cloner.hair.shells.beard import depth_below_mm
 
 
 def test_between_the_beard_of_a_chin_and_that_of_the_throat_below_it_hangs_beard():
@@ -10,8 +10,8 @@ def test_between_the_beard_of_a_chin_and_that_of_the_throat_below_it_hangs_beard
     cap = np.full((9, 20, 9), -5.0, np.float32)
     cap[3:6, 15:17, 3:6] = 5.0  # the chin's
     cap[3:6, 2:4, 3:6] = 5.0  # the throat's
-    hanging = below_mm(cap) > 0.0
+    hanging = depth_below_mm(cap) > 0.0
     assert hanging[4, 4:15, 4].all()
     assert hanging[4, :2, 4].all()
     assert not hanging[:, 17:].any()
-    assert (below_mm(np.full((3, 3, 3), -5.0, np.float32)) <= 0.0).all()
+    assert (depth_below_mm(np.full((3, 3, 3), -5.0, np.float32)) <= 0.0).all()

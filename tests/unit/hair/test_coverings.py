@@ -9,7 +9,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.clothing import coverings
-from cloner.hair.clothing.coverings import covering, with_whole_coverings
+from cloner.hair.clothing.coverings import head_covering, merge_covering_labels
 from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView
 from cloner.records.labels import Label
@@ -49,7 +49,7 @@ def labelled(*, scarf=Label.ACCESSORY):
 
 
 def test_the_cloth_is_found_whole_and_ends_at_face_and_top():
-    found = covering(picture(), labelled(), SCALP) | (labelled() == Label.HAIR)
+    found = head_covering(picture(), labelled(), SCALP) | (labelled() == Label.HAIR)
     wanted = SCARF & ~FACE
     assert (found & wanted).sum() > 0.97 * wanted.sum()
     assert (found & ~wanted).sum() < 0.02 * wanted.sum()
@@ -58,7 +58,7 @@ def test_the_cloth_is_found_whole_and_ends_at_face_and_top():
 @pytest.mark.parametrize("scarf", [Label.ACCESSORY, Label.HAIR, Label.UPPER_CLOTHES])
 def test_only_what_is_worn_becomes_whole(scarf, monkeypatch):
     """Hair stays what its labels say; a hood has a volume as hair has, down to the neck, where it is the garment's."""
-    monkeypatch.setattr(coverings, "seen_scalp", lambda *_: SCALP)
+    monkeypatch.setattr(coverings, "visible_scalp", lambda *_: SCALP)
     monkeypatch.setattr(HairView, "to_view", lambda self, points: points)
     labels = labelled(scarf=scarf)
     hair = (labels == Label.HAIR) | (labels == Label.ACCESSORY)
@@ -71,7 +71,7 @@ def test_only_what_is_worn_becomes_whole(scarf, monkeypatch):
     photos = {ViewId.FACE_FRONT: SimpleNamespace(rgb=picture())}
     nothing = np.zeros((0, 3))
     scalp = nothing, nothing, np.zeros((0, 3), np.int32)
-    (seen,) = with_whole_coverings([view], photos, proposals, *scalp, np.zeros(3))
+    (seen,) = merge_covering_labels([view], photos, proposals, *scalp, np.zeros(3))
     if scarf == Label.ACCESSORY:
         assert (seen.hair & SCARF & ~FACE).sum() > 0.97 * (SCARF & ~FACE).sum()
         assert not (seen.clothed & seen.hair).any()
@@ -95,11 +95,11 @@ def test_a_large_photo_that_takes_a_hood_for_a_scarf_is_outvoted():
 
 @pytest.mark.parametrize("thing", [Label.ACCESSORY, Label.UPPER_CLOTHES])
 def test_glasses_and_a_patch_on_a_bald_head_are_no_covering(thing, monkeypatch):
-    monkeypatch.setattr(coverings, "seen_scalp", lambda *_: SCALP)
+    monkeypatch.setattr(coverings, "visible_scalp", lambda *_: SCALP)
     labels = labelled(scarf=Label.FACE_SKIN)
     labels[72:76, 70:130] = thing
     view = SimpleNamespace(posed=SimpleNamespace(view=ViewId.FACE_FRONT), flip_m=None)
     proposals = Proposals({ViewId.FACE_FRONT: SimpleNamespace(view=ViewId.FACE_FRONT, labels=labels)})
     scalp = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3), np.int32)
     views = [view]
-    assert with_whole_coverings(views, {}, proposals, *scalp, np.zeros(3)) is views
+    assert merge_covering_labels(views, {}, proposals, *scalp, np.zeros(3)) is views

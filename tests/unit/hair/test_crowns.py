@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.volumes.crowns import with_one_crown
+from cloner.hair.volumes.crowns import align_crowns
 
 Array = NDArray[np.float64]
 
@@ -54,12 +54,12 @@ class Seen:
 
 def test_every_photo_is_brought_to_the_median_crown() -> None:
     views = [Seen(ViewId.BODY_FRONT, 120.0), Seen(ViewId.BODY_SIDE, 150.0), Seen(ViewId.BODY_BACK, 180.0)]
-    found = with_one_crown(views, SCALP_M, EARS_M)  # type: ignore[arg-type]
+    found = align_crowns(views, SCALP_M, EARS_M)  # type: ignore[arg-type]
     assert [view.taller for view in found] == pytest.approx([0.8, 1.0, 1.2])
     assert all(view.above_m == EARS_M for view in found)
 
 
 def test_a_photo_without_hair_or_cut_at_the_top_tells_nothing() -> None:
     views = [Seen(ViewId.BODY_FRONT, -np.inf), Seen(ViewId.FACE_FRONT, 200.0), Seen(ViewId.BODY_SIDE, 150.0)]
-    bare, cut, side = with_one_crown(views, SCALP_M, EARS_M)  # type: ignore[arg-type]
+    bare, cut, side = align_crowns(views, SCALP_M, EARS_M)  # type: ignore[arg-type]
     assert (bare.taller, cut.taller, side.taller) == (1.0, 1.0, 1.0)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.hair.volumes.gaps import DEEP_MM, REACH, without_gaps
-from cloner.hair.volumes.views import Hanger
+from cloner.hair.volumes.gaps import DEEP_MM, REACH, close_gaps
+from cloner.hair.volumes.views import HairSkinning
 from cloner.hair.volumes.volume import VOXEL_M
 
 SHAPE = (24, 40, 24)
@@ -34,7 +34,7 @@ def hair(first):
 @pytest.mark.parametrize(("wide", "closes"), [(2, True), (2 * REACH - 1, True), (2 * REACH + 3, False)])
 def test_a_gap_closes_when_it_is_narrow(wide, closes):
     field = hair(9 + wide)
-    found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, FREE)
+    found = close_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, FREE)
     between = (LEVEL > 8) & (LEVEL < 9 + wide)
     assert (found[between] > 0.0).all() == closes
     if closes:
@@ -49,24 +49,24 @@ def test_a_gap_closes_when_it_is_narrow(wide, closes):
 )
 def test_it_stays_where_a_photo_shows_something_else_or_none_shows_hair(views):
     field = hair(12)
-    np.testing.assert_array_equal(without_gaps(views, field, SKIN_MM, POINTS, ROWS, SHAPE, FREE), field)
+    np.testing.assert_array_equal(close_gaps(views, field, SKIN_MM, POINTS, ROWS, SHAPE, FREE), field)
 
 
 def test_gaps_of_the_body_alone_stay():
     arm = np.abs(np.indices(SHAPE)[0].ravel() - 12)
     skin = (4.0 * (arm - 2)).astype(np.float32)  # two walls of skin, four voxels apart
     bald = np.full(len(POINTS), -15.0, np.float32)
-    np.testing.assert_array_equal(without_gaps([seen()], bald, -skin, POINTS, ROWS, SHAPE, FREE), bald)
+    np.testing.assert_array_equal(close_gaps([seen()], bald, -skin, POINTS, ROWS, SHAPE, FREE), bald)
 
 
 def test_a_tail_lies_on_nothing():
     field = hair(12)
-    found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, np.ones(len(POINTS), bool))
+    found = close_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, np.ones(len(POINTS), bool))
     np.testing.assert_array_equal(found, field)
 
 
 def test_hair_hangs_from_the_head_and_lies_on_the_back():
-    hanger = Hanger(np.arange(4, dtype=np.int32), np.array([1.6, 1.55, 1.4]))
+    hanger = HairSkinning(np.arange(4, dtype=np.int32), np.array([1.6, 1.55, 1.4]))
     heights = np.array([1.7, 1.6, 1.4, 1.34, 1.28, 1.0])
     points = np.column_stack([np.zeros(6), heights, np.zeros(6)])
     skull, neck, chest = hanger.shares(points)

@@ -71,4 +71,4 @@ def test_one_photo_alone_agrees_with_itself():
     photos, lines = photographed(person, {SIDE: pose}, pose)
     turned = {SIDE: lambda angles: photos[SIDE].posed}
     mesh = BodyMesh(person.vertices_m, person.joints_m)
-    assert not list(hair_agreement.agreement(mesh, lines, turned, {SIDE: np.zeros(6)}))
+    assert not list(hair_agreement.hairline_residuals(mesh, lines, turned, {SIDE: np.zeros(6)}))

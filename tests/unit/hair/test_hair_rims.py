@@ -11,10 +11,10 @@ from cloner.frames import ViewId
 from cloner.generic.layers import Layer
 from cloner.generic.painter import paint
 from cloner.hair.shells.edge import FADE_MM, inside_hairline_mm
-from cloner.hair.shells.mattes import matte_of, rim_of, with_core
-from cloner.hair.shells.rim_cards import crown_of, rim_shell
-from cloner.hair.shells.rim_strips import LEFT, RIGHT, TEXEL_MM, strips_of
-from cloner.hair.shells.rims import around, beside, rims_of
+from cloner.hair.shells.mattes import hair_rim_mm, make_matte, reduce_to_core
+from cloner.hair.shells.rim_cards import crown_centre, rim_shell
+from cloner.hair.shells.rim_strips import LEFT, RIGHT, TEXEL_MM, make_strips
+from cloner.hair.shells.rims import camera_around, half_outlines, points_beside
 from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView
 from cloner.records.heads import Shell
@@ -52,7 +52,7 @@ def spiky():
 
 
 def matte(rgb, hair=OUT_MM < 5.0):
-    return matte_of(rgb, view(hair), PIXEL_MM)
+    return make_matte(rgb, view(hair), PIXEL_MM)
 
 
 def test_the_core_ends_where_hair_gets_thin_and_the_rim_where_none_is_left():
@@ -60,22 +60,22 @@ def test_the_core_ends_where_hair_gets_thin_and_the_rim_where_none_is_left():
     assert found.clear
     radius = np.sqrt(found.core.sum() / np.pi) * found.pixel_mm
     assert RADIUS_MM - 3.0 < radius < RADIUS_MM + 12.0
-    reach_mm = rim_of([found])
+    reach_mm = hair_rim_mm([found])
     assert 20.0 < reach_mm <= 45.0
-    shorter = rim_of([matte(curly(0.7, 4.0))])
+    shorter = hair_rim_mm([matte(curly(0.7, 4.0))])
     assert shorter < reach_mm
 
 
 def test_smooth_hair_has_no_rim_also_where_its_edge_is_blurred():
-    assert rim_of([matte(np.where((OUT_MM < 5.0)[..., None], HAIR, WALL).astype(np.uint8))]) is None
+    assert hair_rim_mm([matte(np.where((OUT_MM < 5.0)[..., None], HAIR, WALL).astype(np.uint8))]) is None
     edge = np.clip(0.5 - (OUT_MM - 5.0) / 3.0, 0.0, 1.0)[..., None]
-    assert rim_of([matte(np.rint(edge * HAIR + (1.0 - edge) * WALL).astype(np.uint8))]) is None
+    assert hair_rim_mm([matte(np.rint(edge * HAIR + (1.0 - edge) * WALL).astype(np.uint8))]) is None
 
 
 def test_of_two_photos_the_smoother_is_believed():
     smooth, rough = np.where((OUT_MM < 5.0)[..., None], HAIR, WALL).astype(np.uint8), curly()
-    assert rim_of([matte(smooth), matte(rough)]) is None
-    assert rim_of([matte(rough)]) is not None
+    assert hair_rim_mm([matte(smooth), matte(rough)]) is None
+    assert hair_rim_mm([matte(rough)]) is not None
 
 
 def test_a_wall_of_hair_s_colour_and_a_cluttered_one_tell_nothing():
@@ -86,7 +86,7 @@ def test_a_wall_of_hair_s_colour_and_a_cluttered_one_tell_nothing():
     far = (OUT_MM > 25.0) & (np.random.default_rng(1).random((SIZE, SIZE)) < 0.3)
     spotted[far] = HAIR
     assert not matte(spotted).clear
-    assert rim_of([matte(dark), matte(spotted)]) is None
+    assert hair_rim_mm([matte(dark), matte(spotted)]) is None
 
 
 def test_another_thing_s_colour_beyond_the_hair_is_no_hair():
@@ -109,7 +109,7 @@ def test_mixed_pixels_have_the_colour_of_the_hair_around():
 
 def test_surfaces_are_fitted_to_the_core():
     seen, rgb = view(OUT_MM < 15.0), curly(0.7, 8.0)
-    fitted = with_core(seen, matte_of(rgb, seen, PIXEL_MM))
+    fitted = reduce_to_core(seen, make_matte(rgb, seen, PIXEL_MM))
     assert fitted.hair.sum() < seen.hair.sum()
     assert (fitted.hair_px[OUT_MM > 14.0] < 0.0).all()
     assert (fitted.outline_px[OUT_MM > 14.0] < 0.0).all()
@@ -130,8 +130,8 @@ def head(radius_m=0.001 * RADIUS_MM):
 @pytest.mark.parametrize("azimuth_deg", [0.0, 40.0, 130.0])
 def test_rims_of_a_ball_are_its_great_circle_from_the_crown_down(azimuth_deg):
     hair, body = head()
-    left, right = rims_of(
-        (hair.vertices_m, hair.triangles), body, around(np.zeros(3), np.radians(azimuth_deg)), np.zeros(3)
+    left, right = half_outlines(
+        (hair.vertices_m, hair.triangles), body, camera_around(np.zeros(3), np.radians(azimuth_deg)), np.zeros(3)
     )
     across = np.array([np.cos(np.radians(azimuth_deg)), 0.0, -np.sin(np.radians(azimuth_deg))])
     for rim, sign in ((left, -1.0), (right, 1.0)):
@@ -140,7 +140,7 @@ def test_rims_of_a_ball_are_its_great_circle_from_the_crown_down(azimuth_deg):
         assert np.abs(rim.place_m[0, 0]) < 0.01
         assert rim.place_m[0, 1] > 0.105
         assert (sign * rim.place_m[5:-5] @ across > 0.0).all()
-        out = beside(around(np.zeros(3), np.radians(azimuth_deg)), rim, 20.0)
+        out = points_beside(camera_around(np.zeros(3), np.radians(azimuth_deg)), rim, 20.0)
         np.testing.assert_allclose(np.linalg.norm(out, axis=1), 0.13, atol=0.003)
 
 
@@ -166,7 +166,7 @@ def test_a_rim_is_not_the_hair_s_where_the_body_stands_out():
     column.apply_transform(trimesh.transformations.rotation_matrix(np.pi / 2, [1, 0, 0], [0, 0, 0]))
     column.apply_translation([0.0, -0.25, 0.0])
     body = np.asarray(column.vertices), np.asarray(column.faces, np.int32)
-    left, _ = rims_of((hair.vertices_m, hair.triangles), body, around(np.zeros(3), 0.0), np.zeros(3))
+    left, _ = half_outlines((hair.vertices_m, hair.triangles), body, camera_around(np.zeros(3), 0.0), np.zeros(3))
     low = left.place_m[:, 1] < -0.11
     assert not left.free[low].any()
     assert left.free[left.place_m[:, 1] > -0.08].all()
@@ -176,10 +176,10 @@ def cards_of(rgb, hair=OUT_MM < 5.0, reach_mm=24.0, bare=None, names=(ViewId.FAC
     """Return strips and cards of the ball by one front photo."""
     shell, body = head()
     views = [view(hair, name) for name in names]
-    mattes = {name: matte_of(rgb, one, PIXEL_MM) for name, one in zip(names, views, strict=True)}
+    mattes = {name: make_matte(rgb, one, PIXEL_MM) for name, one in zip(names, views, strict=True)}
     grown = shell.vertices_m, shell.triangles
-    strips = strips_of(
-        grown, body[1], dict.fromkeys(names, body[0]), views, mattes, reach_mm, crown_of(shell.vertices_m)
+    strips = make_strips(
+        grown, body[1], dict.fromkeys(names, body[0]), views, mattes, reach_mm, crown_centre(shell.vertices_m)
     )
     bare = np.zeros(len(shell.vertices_m), bool) if bare is None else bare
     return shell, strips, rim_shell(shell, grown, body, strips, reach_mm, bare)
@@ -236,9 +236,9 @@ def test_what_a_photo_cuts_off_is_filled_by_its_other_half_and_by_what_is_near()
     half = HairView(
         narrow, whole.transforms, whole.hanger, None, found, to_hair, to_line, to_person, np.zeros_like(flags)
     )
-    matte_cut = matte_of(cut, half, PIXEL_MM)
+    matte_cut = make_matte(cut, half, PIXEL_MM)
     grown = shell.vertices_m, shell.triangles
-    strips = strips_of(
+    strips = make_strips(
         grown, body[1], {ViewId.FACE_FRONT: body[0]}, [half], {ViewId.FACE_FRONT: matte_cut}, 24.0, np.zeros(3)
     )
     assert set(strips) == {LEFT, RIGHT}
@@ -250,7 +250,7 @@ def test_what_a_photo_cuts_off_is_filled_by_its_other_half_and_by_what_is_near()
 def test_without_a_photo_that_shows_the_rim_there_are_no_strips():
     shell, body = head()
     grown = shell.vertices_m, shell.triangles
-    assert strips_of(grown, body[1], {}, [], {}, 24.0, np.zeros(3)) == {}
+    assert make_strips(grown, body[1], {}, [], {}, 24.0, np.zeros(3)) == {}
     assert rim_shell(shell, grown, body, {}, 24.0, np.zeros(len(grown[0]), bool)) is None
 
 

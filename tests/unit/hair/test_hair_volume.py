@@ -7,15 +7,15 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.cap import FACE_PHOTO, Scalp
-from cloner.hair.volumes.hanging import hanging_mm, seen_aside
+from cloner.hair.volumes.hanging import hanging_mm, has_side_view
 from cloner.hair.volumes.rows import ROUND_MM, agreed_mm
 from cloner.hair.volumes.volume import (
     LYING_MM,
     TAIL_DOUBT_MM,
-    _held_by,
+    _attached_to,
     cap_mm,
-    lying_mm,
-    lying_near,
+    lying_hair_mm,
+    near_lying_hair,
     near_skin,
     overhang_mm,
     tail_mm,
@@ -122,7 +122,7 @@ def test_hair_hangs_from_hair():
     hanging[20:, :9, :9] = 5.0
     hanging[8:10, 11, 11] = 5.0
     rows = np.arange(grown.size)
-    held = _held_by(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
+    held = _attached_to(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
     assert held[8:18, :9, :9].all()
     assert held.sum() == 10 * 9 * 9
 
@@ -147,7 +147,7 @@ def test_hair_that_a_photo_shows_on_the_back_lies_on_it_as_a_film():
         posed=SimpleNamespace(camera=camera), line_px=line_px, to_view=lambda at: at, pixel_mm=lambda at: 1.0
     )
     points = np.array([[x, 0.0, z] for x in (-0.05, 0.05) for z in (-0.002, 0.5e-3 * LYING_MM, 1.5e-3 * LYING_MM)])
-    field = cap_mm([seen], lying_near(body, np.ones((1, len(back))), points))
+    field = cap_mm([seen], near_lying_hair(body, np.ones((1, len(back))), points))
     assert np.array_equal(field > 0.0, [True, True, False, False, False, False])
     np.testing.assert_allclose(field[1:3], [0.5 * LYING_MM, -0.5 * LYING_MM], atol=0.1)
 
@@ -170,8 +170,9 @@ def test_hair_that_lies_on_shoulders_is_no_wider_than_a_photo_of_the_back_shows_
         )
 
     points = np.array([[x, 0.0, z] for x in (0.0, 0.08) for z in (-0.002, 0.5e-3 * LYING_MM)])
-    field = lying_mm(
-        [photo(ViewId.FACE_SIDE), photo(view)], lying_near((skin, np.tile([0.0, 0.0, 1.0], (441, 1))), votes, points)
+    field = lying_hair_mm(
+        [photo(ViewId.FACE_SIDE), photo(view)],
+        near_lying_hair((skin, np.tile([0.0, 0.0, 1.0], (441, 1))), votes, points),
     )
     assert np.array_equal(field > 0.0, [True, True, not bounded, not bounded])
 
@@ -190,8 +191,8 @@ def test_a_front_photo_alone_lets_hair_stand_before_a_temple_only_if_it_goes_on_
     temple = np.array([[0.07, 1.65, 0.05]])
     field = hanging_mm([front], temple, np.array([15.0], np.float32), DEEP, WIDE, ears_m)
     assert (field[0] > 0.0) == kept
-    assert seen_aside([front, _slab(ViewId.BODY_SIDE, 2, 100.0)])
-    assert not seen_aside([front, _slab(ViewId.BODY_BACK, 0, 100.0)])
+    assert has_side_view([front, _slab(ViewId.BODY_SIDE, 2, 100.0)])
+    assert not has_side_view([front, _slab(ViewId.BODY_BACK, 0, 100.0)])
 
 
 def test_hair_stands_out_over_its_line_only_where_a_photo_from_aside_ends_it():

@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning, strongest_weights
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.views import Hanger
+from cloner.hair.volumes.views import HairSkinning
 from cloner.hair.volumes.weights import hair_weights
 from kit import painted, people
 
@@ -46,7 +46,7 @@ def test_a_turning_head_draws_no_hair_through_the_shoulder(person):
     normals = vertex_normals(person.vertices_m, people.skin_triangles())
     skinned = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(float)
     deepest = {}
-    hung = Hanger.of(generic, person).weights(sheet)
+    hung = HairSkinning.of(generic, person).weights(sheet)
     for name, carried in (("hung", hung), ("lying", hair_weights(generic, person, sheet, faces))):
         body = turned(person, person.vertices_m, *skinned, 60.0)
         moved = turned(person, sheet, *carried, 60.0)
@@ -63,7 +63,7 @@ def test_the_crown_and_free_hair_follow_the_head_as_before(person):
     triangles = np.array([[0, 1, 2], [3, 4, 5]], np.int32)
     joints, weights = hair_weights(load_generic(), person, points, triangles)
     wanted = np.zeros((6, 94))
-    own = Hanger.of(load_generic(), person).weights(points)
+    own = HairSkinning.of(load_generic(), person).weights(points)
     np.add.at(wanted, (np.arange(6)[:, None], own[0]), own[1])
     found = np.zeros((6, 94))
     np.add.at(found, (np.arange(6)[:, None], joints), weights)

@@ -30,13 +30,13 @@ def _photo(view: ViewId, clothed: np.ndarray) -> HairView:
 
 @pytest.fixture(autouse=True)
 def scalp(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(hoods, "seen_scalp", lambda *_: SCALP)
+    monkeypatch.setattr(hoods, "visible_scalp", lambda *_: SCALP)
 
 
 def _cleaned(*clothed: np.ndarray) -> list[HairView]:
     views = [_photo(view, own) for view, own in zip((ViewId.BODY_FRONT, ViewId.BODY_BACK), clothed, strict=True)]
     nothing = np.zeros((0, 3))
-    return hoods.without_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))
+    return hoods.relabel_single_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))
 
 
 def test_a_patch_of_clothes_on_a_crown_becomes_hair():
@@ -68,7 +68,7 @@ def test_a_neck_below_a_high_hairline_stays_skin():
     whole = back.clothed | neck
     views = [front, dataclasses.replace(back, clothed=whole)]
     nothing = np.zeros((0, 3))
-    found = hoods.without_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))[1]
+    found = hoods.relabel_single_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))[1]
     assert np.array_equal(found.hair, SCALP & ~neck)
 
 
@@ -79,10 +79,10 @@ def test_a_hood_is_the_clothes_on_the_head_down_to_the_neck():
     labels[5:12, 52:58] = Label.UPPER_CLOTHES  # a raised hand's sleeve
     labels[22, 18:42] = Label.ACCESSORY  # glasses, their arms in the hood
     labels[10:20, 12:18] = Label.ACCESSORY  # a part of the hood that looks like a scarf
-    found = hoods.hood_on(labels, SCALP, 35.2)
+    found = hoods.hood_pixels(labels, SCALP, 35.2)
     wanted = np.isin(labels, (Label.UPPER_CLOTHES, Label.ACCESSORY))
     wanted[22, 18:42] = False
     wanted[36:] = False
     wanted[:, 52:] = False
     assert np.array_equal(found, wanted)
-    assert not hoods.hood_on(labels, SCALP, 0.0).any()
+    assert not hoods.hood_pixels(labels, SCALP, 0.0).any()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.hair.volumes.lost import with_lost_hair
+from cloner.hair.volumes.lost import restore_lost_hair
 from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView
 
@@ -53,7 +53,7 @@ def _hair(front: np.ndarray, back: np.ndarray, wall: tuple[int, int, int]) -> tu
     """Return the hair of both photos; the back's wall is given, the front's pink."""
     photos = {ViewId.BODY_FRONT: _photo(PINK), ViewId.BODY_BACK: _photo(wall)}
     views = [_seen(ViewId.BODY_FRONT, front), _seen(ViewId.BODY_BACK, back)]
-    found = with_lost_hair(views, photos, np.zeros(3))
+    found = restore_lost_hair(views, photos, np.zeros(3))
     return found[0].hair, found[1].hair
 
 
@@ -70,7 +70,7 @@ def test_a_wall_of_another_colour_is_believed():
     photos = {ViewId.BODY_FRONT: _photo(PINK), ViewId.BODY_BACK: _photo(PINK)}
     photos[ViewId.BODY_BACK].rgb[LOST] = PINK
     views = [_seen(ViewId.BODY_FRONT, HAIR), _seen(ViewId.BODY_BACK, HAIR & ~LOST)]
-    assert with_lost_hair(views, photos, np.zeros(3))[1] is views[1]
+    assert restore_lost_hair(views, photos, np.zeros(3))[1] is views[1]
 
 
 def test_what_hangs_on_no_hair_stays_lost():
@@ -79,10 +79,10 @@ def test_what_hangs_on_no_hair_stays_lost():
     front = (HAIR & ~LOST) | sleeve
     photos = {ViewId.BODY_FRONT: _photo(PINK), ViewId.BODY_BACK: _photo(PINK)}
     views = [_seen(ViewId.BODY_FRONT, front), _seen(ViewId.BODY_BACK, HAIR & ~LOST)]
-    assert with_lost_hair(views, photos, np.zeros(3))[1] is views[1]
+    assert restore_lost_hair(views, photos, np.zeros(3))[1] is views[1]
 
 
 def test_side_photos_and_photos_alone_say_nothing():
     views = [_seen(ViewId.BODY_SIDE, HAIR), _seen(ViewId.BODY_BACK, HAIR & ~LOST)]
     photos = {ViewId.BODY_SIDE: _photo(PINK), ViewId.BODY_BACK: _photo(BROWN)}
-    assert with_lost_hair(views, photos, np.zeros(3))[1] is views[1]
+    assert restore_lost_hair(views, photos, np.zeros(3))[1] is views[1]

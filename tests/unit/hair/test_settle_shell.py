@@ -38,7 +38,7 @@ def _settled(
         trust = (goal_m > 0.0).astype(float)
         return trust * 1e3 * (goal_m - np.linalg.norm(surface_m, axis=1)), trust
 
-    monkeypatch.setattr(settled, "outline_drive", drive)
+    monkeypatch.setattr(settled, "outline_forces_mm", drive)
     return start, settle_shell(
         [], (_scalp(skull_m).points_m, _scalp(skull_m).normals), start, np.asarray(ball.faces, np.int32), FILM_MM
     )
@@ -76,7 +76,7 @@ def test_the_wall_that_lies_on_the_skin_stays_below_the_hair(monkeypatch: pytest
     def drive(_: object, surface_m: np.ndarray, __: object) -> tuple[np.ndarray, np.ndarray]:
         return np.full(len(surface_m), -5.0), np.ones(len(surface_m))
 
-    monkeypatch.setattr(settled, "outline_drive", drive)
+    monkeypatch.setattr(settled, "outline_forces_mm", drive)
     found = settle_shell([], (skull.points_m, skull.normals), points, triangles, FILM_MM)
     radius_mm = 1e3 * np.linalg.norm(found, axis=1)
     assert radius_mm[: len(outer.vertices)].max() < 104.0  # moved in, on to the film over the skin

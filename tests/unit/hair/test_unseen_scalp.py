@@ -13,7 +13,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.edge import FADE_MM, unseen_inside_mm
-from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen, believed_votes, seen_votes
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, _with_unseen, label_votes, visibility_weights
 
 GENERIC = load_generic()
 POINTS = GENERIC.vertices_m.astype(np.float64)
@@ -89,8 +89,8 @@ def test_what_a_side_photo_shows_of_a_throat_is_the_hair_before_it_unless_it_is_
         photo(ViewId.FACE_FRONT, (0.0, 1.5, 2.0), 10.0 if covered else -10.0),
     ]
     normals, lobes_m = vertex_normals(POINTS, body_triangles()), POINTS[GENERIC.feature("ear_lobe_L")] * (0.0, 1.0, 1.0)
-    free = np.stack([seen_votes(view, POINTS, normals, None) for view in views])
-    found, _ = believed_votes(views, POINTS, normals, None, lobes_m)
+    free = np.stack([visibility_weights(view, POINTS, normals, None) for view in views])
+    found, _ = label_votes(views, POINTS, normals, None, lobes_m)
     throat = np.linalg.norm(POINTS - POINTS[GENERIC.feature("chin_bottom")] + (0.0, 0.02, 0.02), axis=1) < 0.04
     nape = np.linalg.norm(POINTS - POINTS[GENERIC.feature("nape")], axis=1) < 0.03
     assert free[0, throat].max() > 0.05

@@ -11,9 +11,9 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
-from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
+from cloner.paint.lookups.doubted import reject_grazing, reject_slanted, reject_wrong_parts
 from cloner.paint.lookups.evened import fill_surface
-from cloner.paint.lookups.materials import Materials, goes_on, with_surroundings
+from cloner.paint.lookups.materials import Materials, continues, with_surroundings
 from cloner.records.labels import SKINS, SURFACES, Label
 
 GENERIC = load_generic()
@@ -80,7 +80,7 @@ def test_hair_beside_the_temple_gives_way_to_the_photo_that_shows_skin_there(gra
     hair = GENERIC.region("face") & (front.cosine > 0.1) & (front.cosine < 0.5) & (side.cosine > 0.5)
     colours = np.tile(SKIN, (2, COUNT, 1))
     colours[0, hair] = HAIR
-    found = doubt_slanted(GENERIC, [front, side], colours, graph)
+    found = reject_slanted(GENERIC, [front, side], colours, graph)
     assert hair.sum() > 30
     assert not found[0].score[hair].any()
     assert np.array_equal(found[1].score, side.score)
@@ -94,7 +94,7 @@ def test_a_brow_comes_from_the_photo_that_faces_it_even_where_the_side_photo_fac
     assert (side.cosine[brow] > 0.4).any()
     colours = np.tile(SKIN, (2, COUNT, 1))
     colours[0, brow] = HAIR  # the side photo shows skin there: it has the brow a little higher
-    found = doubt_slanted(GENERIC, [front, side], colours, graph)
+    found = reject_slanted(GENERIC, [front, side], colours, graph)
     square = brow & (front.cosine > 0.55)
     assert square.sum() > 5
     assert (found[0].score[square] > 0.0).all()
@@ -103,7 +103,7 @@ def test_a_brow_comes_from_the_photo_that_faces_it_even_where_the_side_photo_fac
 
 def test_photos_that_agree_keep_all_their_claims(graph):
     photos = face_photos()
-    found = doubt_slanted(GENERIC, photos, np.tile(SKIN, (2, COUNT, 1)), graph)
+    found = reject_slanted(GENERIC, photos, np.tile(SKIN, (2, COUNT, 1)), graph)
     assert all(np.array_equal(new.score, old.score) for new, old in zip(found, photos, strict=True))
 
 
@@ -114,7 +114,7 @@ def test_a_stripe_on_cloth_goes_on_at_a_slant_and_skin_behind_it_does_not(graph,
     photo = Photo(ViewId.BODY_FRONT, angles, angles, skin=np.where(stripe, shown, 0))
     colours = np.where(stripe[:, None], ORANGE, BLUE)[None]
     worn = Materials(np.zeros(COUNT), np.zeros(COUNT), np.ones(COUNT), surfaces("upper_clothes"))
-    (found,) = doubt_grazing(GENERIC, [photo], colours, with_surroundings([photo], colours, worn, graph))
+    (found,) = reject_grazing(GENERIC, [photo], colours, with_surroundings([photo], colours, worn, graph))
     shoulders = GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("neck_base_L"), 1]
     below = stripe & shoulders  # ears are bare whatever they show
     assert bool((found.score[below] > 0.0).mean() > 0.99) == kept
@@ -130,7 +130,7 @@ def test_a_photo_that_shows_trousers_where_the_surface_is_sleeve_is_not_believed
         Photo(ViewId.BODY_SIDE, angles, angles, labels=wrong),
     ]
     kinds = Materials(np.zeros(COUNT), np.zeros(COUNT), np.ones(COUNT), surfaces("upper_clothes"))
-    front, side = doubt_strangers(GENERIC, photos, kinds)
+    front, side = reject_wrong_parts(GENERIC, photos, kinds)
     assert np.array_equal(front.score, angles)
     assert not side.score[arm].any()
     assert np.array_equal(side.score[~arm], angles[~arm])
@@ -149,13 +149,13 @@ def test_skin_has_no_stripes_a_collar_beside_the_jaw_is_not_its_colour(graph):
     photo = Photo(ViewId.FACE_FRONT, angles, angles)
     colours = np.where(jaw[:, None], (225.0, 235.0, 250.0), SKIN)[None]
     kinds = with_surroundings([photo], colours, bare(), graph)
-    (found,) = doubt_grazing(GENERIC, [photo], colours, kinds)
+    (found,) = reject_grazing(GENERIC, [photo], colours, kinds)
     assert jaw.sum() > 10
     assert not found.score[jaw].any()
     assert np.array_equal(found.score[~jaw], angles[~jaw])
     # Texels between vertices are asked the same; a lamp's shade is still skin.
-    assert not goes_on(colours[0, jaw], kinds.around[jaw]).any()
-    assert goes_on(0.7 * np.tile(SKIN, (int(jaw.sum()), 1)), kinds.around[jaw]).all()
+    assert not continues(colours[0, jaw], kinds.around[jaw]).any()
+    assert continues(0.7 * np.tile(SKIN, (int(jaw.sum()), 1)), kinds.around[jaw]).all()
 
 
 def test_skin_is_compared_with_skin_and_cloth_with_cloth(graph):
@@ -178,7 +178,7 @@ def test_what_is_labelled_skin_and_white_as_the_collar_is_not_the_skin_around(gr
     photo = Photo(ViewId.FACE_FRONT, angles, angles, labels=Label.FACE_SKIN)
     colours = np.where(rim[:, None], (225.0, 235.0, 250.0), SKIN)[None]
     kinds = with_surroundings([photo], colours, bare(), graph)
-    assert not goes_on(colours[0, rim], kinds.around[rim]).any()
+    assert not continues(colours[0, rim], kinds.around[rim]).any()
     photo = replace(photo, score=np.where(GENERIC.segment("torso"), 0.0, angles))
     skin = fill_surface(GENERIC, [photo], colours, bare(), graph)[0]
     assert np.abs(skin[GENERIC.segment("torso")] - SKIN).max() < 3.0, "nothing white runs down the chest"
@@ -188,12 +188,12 @@ def test_a_garment_that_a_photo_shows_at_the_face_is_not_the_face():
     chin = around("chin_bottom", 0.03)
     angles = np.full(COUNT, 0.9)
     labels = np.where(chin, Label.UPPER_CLOTHES, Label.FACE_SKIN)
-    (found,) = doubt_strangers(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=labels)], bare())
+    (found,) = reject_wrong_parts(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=labels)], bare())
     assert not found.score[chin].any()
-    (lost,) = doubt_strangers(
+    (lost,) = reject_wrong_parts(
         GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=int(Label.UPPER_CLOTHES))], bare()
     )
     assert np.array_equal(lost.score[GENERIC.region("face")], angles[GENERIC.region("face")])  # no face was told at all
     worn = np.where(chin, Label.ACCESSORY, Label.FACE_SKIN)  # glasses stay: nothing else would be left of them
-    (kept,) = doubt_strangers(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=worn)], bare())
+    (kept,) = reject_wrong_parts(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=worn)], bare())
     assert np.array_equal(kept.score, angles)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cloner.geometry.meshes.graphs import surface_graph
-from cloner.paint.lookups.evened import evened_colours, level_borders
+from cloner.paint.lookups.evened import border_gains, normalised_colours
 
 
 def _strip(count):
@@ -23,7 +23,7 @@ def test_what_is_burnt_out_moves_to_what_is_not():
     colours = np.stack([np.tile(skin * 1.25, (120, 1)), np.tile(skin, (120, 1))])  # the first in hard light
     claim = np.stack([1.0 - along, along])
     trust = np.stack([np.full(120, 0.05), np.ones(120)])
-    found = evened_colours(colours, level_borders(colours, claim, trust, graph))
+    found = normalised_colours(colours, border_gains(colours, claim, trust, graph))
     middle = np.abs(along - 0.5) < 0.02
     assert np.abs(found[0, middle] - skin).max() < 12  # 28-48 before
     assert np.abs(found[1, middle] - skin).max() < 4
@@ -34,5 +34,5 @@ def test_different_things_are_not_brought_together():
     vertices, triangles = _strip(40)
     graph = surface_graph(vertices, triangles)
     colours = np.stack([np.tile([60.0, 80.0, 160.0], (80, 1)), np.tile([190.0, 140.0, 110.0], (80, 1))])
-    gains = level_borders(colours, np.ones((2, 80)), np.ones((2, 80)), graph)
+    gains = border_gains(colours, np.ones((2, 80)), np.ones((2, 80)), graph)
     assert np.abs(gains).max() < 0.03

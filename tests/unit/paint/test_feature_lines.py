@@ -10,7 +10,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import arms
-from cloner.paint.lookups.feature_lines import meet_lines
+from cloner.paint.lookups.feature_lines import align_feature_lines
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import gather_sources
 from cloner.records.points import Proposals
@@ -46,7 +46,7 @@ def compared(sources, view):
 
 
 def test_what_lies_right_stays(striped) -> None:
-    for before, after in zip(striped, meet_lines(load_generic(), striped), strict=True):
+    for before, after in zip(striped, align_feature_lines(load_generic(), striped), strict=True):
         seen = (before.score > 0.0) & (not before.mirrored)  # no two halves in a pose are alike
         if not seen.any():
             continue
@@ -60,7 +60,7 @@ def test_a_side_photo_that_lies_too_low_is_lifted_to_the_front(striped) -> None:
         replace(source, lookup_px=source.lookup_px + (0.0, OFF_PX)) if source.view is ViewId.BODY_SIDE else source
         for source in striped
     ]
-    met = meet_lines(load_generic(), low)
+    met = align_feature_lines(load_generic(), low)
     rows = compared(striped, ViewId.BODY_SIDE)
     assert rows.sum() > 60
     side = next(k for k, source in enumerate(low) if source.view is ViewId.BODY_SIDE and not source.mirrored)
@@ -69,6 +69,6 @@ def test_a_side_photo_that_lies_too_low_is_lifted_to_the_front(striped) -> None:
 
 
 def test_front_photos_stay_where_they_are(striped) -> None:
-    met = meet_lines(load_generic(), striped)
+    met = align_feature_lines(load_generic(), striped)
     front = next(k for k, source in enumerate(striped) if source.view is ViewId.BODY_FRONT)
     assert met[front].lookup_px is striped[front].lookup_px

@@ -5,7 +5,7 @@ import pytest
 
 from cloner.generic.face_grids import eye_grid
 from cloner.generic.load import load_generic
-from cloner.paint.details.lid_skin import _lids, clean_lids
+from cloner.paint.details.lid_skin import _lid_charts, clean_lids
 from kit.clones import toy_clone
 
 SIZE = 1024
@@ -61,6 +61,6 @@ def test_all_but_the_upper_lids_stays_as_it_was(generic, vertices):
 
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_lids_are_worked_on_in_a_small_part_of_the_atlas(generic, vertices, side):
-    charts, _ = _lids(generic, side, SIZE, vertices)
+    charts, _ = _lid_charts(generic, side, SIZE, vertices)
     assert sum(chart.ring.size for chart in charts) < 0.02 * SIZE**2, "texels; a box around both charts took a fifth"
     assert charts[0].seen().any(), "the chart outside comes first: the lid's inside takes its colour"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.geometry.charts.tubes import tube_mesh
-from cloner.paint.composing.shell_light import in_light_of_body
+from cloner.paint.composing.shell_light import match_light_of_body
 from cloner.records.heads import Shell
 from cloner.records.labels import SURFACES
 
@@ -47,12 +47,12 @@ def shown(shell):
 
 def test_a_back_that_was_darker_is_as_light_as_the_body_above():
     dark = skirt(lambda at: CLOTH * (0.85 + 0.15 * at[:, 2:] / np.hypot(at[:, :1], at[:, 2:])))
-    lit = in_light_of_body(dark, *body("upper_clothes"))
+    lit = match_light_of_body(dark, *body("upper_clothes"))
     assert np.abs(shown(lit) - CLOTH).mean() < 0.3 * np.abs(shown(dark) - CLOTH).mean()
 
 
 @pytest.mark.parametrize(("colour", "kind"), [((30.0, 90.0, 160.0), "upper_clothes"), (0.7 * CLOTH, "skin")])
 def test_what_is_no_part_of_the_garment_above_keeps_its_colour(colour, kind):
     own = skirt(lambda places: np.tile(colour, (len(places), 1)))
-    lit = in_light_of_body(own, *body(kind))
+    lit = match_light_of_body(own, *body(kind))
     assert np.abs(lit.rgba.astype(int) - own.rgba).max() <= 4

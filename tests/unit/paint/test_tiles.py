@@ -9,7 +9,7 @@ import pytest
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
-from cloner.paint.composing.baked import Baked
+from cloner.paint.composing.baked import AtlasInProgress
 from cloner.paint.composing.grain import coarse_tiles
 from cloner.paint.composing.tiles import MARGIN, TILE, cut_tiles
 
@@ -66,7 +66,7 @@ def test_tiles_are_coarse_only_where_no_photo_holds_more():
 def test_doubling_keeps_colours_in_their_place():
     ramp = np.repeat(np.arange(0, 200, 10, dtype=np.uint8)[None, :, None], 12, axis=0).repeat(3, axis=2)
     flags = ramp[..., 0] > 90
-    twice = Baked(ramp, flags, ~flags).doubled()
+    twice = AtlasInProgress(ramp, flags, ~flags).doubled()
     assert np.array_equal(twice.covered[::2, ::2], flags)
     assert np.array_equal(twice.seen[1::2, 1::2], ~flags)
     pairs = twice.rgb.reshape(12, 2, 20, 2, 3).astype(float).mean(axis=(1, 3))

@@ -12,7 +12,7 @@ from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import photo_shares
 from cloner.geometry.meshes.triangles import edges_of
-from cloner.paint.details.unseen_clothes import SHIRT, clothe_beyond, dress_unseen
+from cloner.paint.details.unseen_clothes import SHIRT, dress_unseen, extend_clothes
 from cloner.paint.lookups.materials import find_materials, hands_beyond_cuffs
 from cloner.records.labels import Label
 
@@ -136,7 +136,7 @@ def clothed(person, collar, cloth_rgb, labels=None, rgb=(40, 90, 160)):
     base[2] = cloth_rgb
     source.plate.rgb = np.tile(np.array(rgb, np.uint8), (1, 3000, 1))
     source.plate.labels = np.full((1, 3000), Label.FACE_SKIN if labels is None else labels, np.uint8)
-    return clothe_beyond(generic, [source], base, kinds, vertices, graph), source.score > 0.0
+    return extend_clothes(generic, [source], base, kinds, vertices, graph), source.score > 0.0
 
 
 def test_cloth_far_from_the_photo_has_the_shirt_s_colour_not_the_collar_s(person):

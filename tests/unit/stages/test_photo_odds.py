@@ -129,7 +129,7 @@ def _seeing(monkeypatch, soft):
         seen = whole_look(*given, **more)
         return Seen(seen.whole, seen.near, seen.box, seen.head, seen.seen_px, seen.naked_px)
 
-    monkeypatch.setattr(figures, "look", look)
+    monkeypatch.setattr(figures, "label_evidence", look)
 
 
 @pytest.mark.parametrize(("torn", "alike", "kept"), [(False, True, True), (True, True, False), (False, False, False)])

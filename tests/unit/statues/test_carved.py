@@ -18,7 +18,7 @@ from cloner.exporters.gltf.gltf import build, export
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.rig import centred
-from cloner.paint.details.parts import fit_ball
+from cloner.paint.details.parts import fit_sphere
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.clones import Clone
 from cloner.statues.carved import statue_of
@@ -105,7 +105,7 @@ def test_a_line_of_the_photo_is_carved_where_it_was_and_nowhere_else(person: Clo
 def test_pupils_are_drilled_and_turn_with_the_ball(person: Clone) -> None:
     generic, clone = load_generic(), statue_of(person, "stone")
     rows = generic.part("eye_left")
-    centre, _ = fit_ball(person.vertices_m[rows])
+    centre, _ = fit_sphere(person.vertices_m[rows])
     pole = rows[np.argmax(person.vertices_m[rows, 2])]
     deep = np.linalg.norm(clone.vertices_m[pole] - centre) / np.linalg.norm(person.vertices_m[pole] - centre)
     assert deep == pytest.approx(1.0 - DRILLED)
@@ -120,7 +120,7 @@ def test_pupils_are_drilled_and_turn_with_the_ball(person: Clone) -> None:
 def test_lashes_are_gone_into_the_ball(person: Clone) -> None:
     generic, clone = load_generic(), statue_of(person, "stone")
     for side in ("left", "right"):
-        centre, radius = fit_ball(person.vertices_m[generic.part(f"eye_{side}")])
+        centre, radius = fit_sphere(person.vertices_m[generic.part(f"eye_{side}")])
         lashes = clone.vertices_m[generic.part(f"lashes_{side}")]
         assert np.linalg.norm(lashes - centre, axis=1).max() < 0.1 * radius
         assert np.ptp(lashes, axis=0).max() > 0.0  # no triangle without area

@@ -155,12 +155,12 @@ def test_the_same_photo_gives_the_same_texture(sitter, fitted, vertex) -> None:
 
 
 def test_the_fitted_clone_keeps_round_eyes_and_a_face_that_moves(fitted) -> None:
-    from cloner.paint.details.parts import fit_ball
+    from cloner.paint.details.parts import fit_sphere
 
     generic, clone = load_generic(), photographed(toy_clone(hair=False), fitted)
     for side in ("left", "right"):
         rows = generic.part(f"eye_{side}")
-        centre, radius = fit_ball(clone.vertices_m[rows])
+        centre, radius = fit_sphere(clone.vertices_m[rows])
         assert np.abs(np.linalg.norm(clone.vertices_m[rows] - centre, axis=1) - radius).max() < 0.0005
         joint = clone.joints_m[generic.joint(f"{side[0]}_eyeball_joint")]
         assert np.linalg.norm(joint - centre) < 0.001
