@@ -170,9 +170,8 @@ def _iterate_fit(
     """
     told = np.zeros((2, RAYS))
     for _ in range(ROUNDS):
-        told = np.stack([
-            read(middle, sign, radii_mm) for middle, sign in zip(_lens_centres(eyes_mm, moved), SIDES, strict=True)
-        ])  # fmt: skip
+        lenses = zip(_lens_centres(eyes_mm, moved), SIDES, strict=True)
+        told = np.stack([read(middle, sign, radii_mm) for middle, sign in lenses])
         radii_mm, more = _fit_rim(told, radii_mm)
         moved = moved + more
     return radii_mm, moved, told
