@@ -1,7 +1,7 @@
 """What one drag costs, and what it moves: 30 drags of body points on the values of one whole run.
 
 Every drag moves one proposed outline point by 10 or 30 px outward or inward, or a joint or face point by 10 px, each on
-the unmoved values. Printed: CPU and wall milliseconds of ``cloner.interactive.refitting.refit`` (median and worst), how
+the unmoved values. Printed: CPU and wall milliseconds of ``refit_body`` (median and worst), how
 far the clone's outline, joint or face is from the point (worst), the largest motion of skin out of the bend's reach,
 and with --whole whether a whole run with the last drag's correction gives the same body.
 """
@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from cloner.frames import ViewId
-from cloner.interactive.refitting import Refitted, refit
+from cloner.interactive.refitting import RefittedBody, refit_body
 from cloner.project.corrections import move_point, no_corrections
 from cloner.records.points import Corrections
 from cloner.stages.silhouettes import ON_OUTLINE
@@ -87,7 +87,7 @@ def moved(values: Mapping[str, Any], view: ViewId, name: str, by_px: float) -> C
     return move_point(no_corrections(), view, name, float(place[0]), float(place[1]), "")
 
 
-def beyond_mm(before: Any, after: Refitted) -> float:
+def beyond_mm(before: Any, after: RefittedBody) -> float:
     """Return the largest motion of skin out of the bend's reach, mm."""
     shift = 1000.0 * np.linalg.norm(after.person.vertices_m - before.vertices_m, axis=1)
     centre = before.vertices_m[np.argmax(shift)]
@@ -99,7 +99,7 @@ def dragged(values: Mapping[str, Any], view: ViewId, name: str, by_px: float) ->
     """Return what one drag costs and does."""
     corrections = moved(values, view, name, by_px)
     wall, cpu = time.perf_counter(), time.process_time()
-    found = refit(values, corrections)
+    found = refit_body(values, corrections)
     wall_ms, cpu_ms = 1000.0 * (time.perf_counter() - wall), 1000.0 * (time.process_time() - cpu)
     (told,) = found.obeyed
     away = beyond_mm(values["joined"], found)
@@ -118,7 +118,7 @@ def main() -> None:
     if chosen.whole:
         corrections = moved(values, *places(values)[-1])
         again = whole_run(chosen.photos, corrections)["obeyed"].vertices_m
-        told["whole_mm"] = float(1000.0 * np.abs(again - refit(values, corrections).person.vertices_m).max())
+        told["whole_mm"] = float(1000.0 * np.abs(again - refit_body(values, corrections).person.vertices_m).max())
     print(json.dumps(told, indent=1) if chosen.json else table(drags, told))
 
 

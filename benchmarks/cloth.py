@@ -22,7 +22,7 @@ from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
 from cloner.evaluate.measures.crossings import self_crossings
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 
@@ -172,7 +172,7 @@ def main() -> None:
     parser.add_argument("--cycles", type=int, default=CYCLES)
     parser.add_argument("--fabric", default="cotton")
     asked = parser.parse_args()
-    clone = centred(
+    clone = centre_joints(
         clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0, "hip_girth": 990.0}), 512)
     )
     motion, ring = own_motions(clone)[0], body_ring(clone, "natural_waist")

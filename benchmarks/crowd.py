@@ -32,7 +32,7 @@ from cloner.crowd.packs.check import blocks_bytes, check_pack, gpu_bytes
 from cloner.crowd.packs.pack import LARGEST_PX, stock_of
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.eye import Eye
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.project.flow_file import load_flow
 
@@ -104,7 +104,7 @@ def person_of(pack: Path, results: Path, k: int) -> tuple[Cast, Stock, Bake]:
     """Return one of a pack's clones with every triangle before the pack's own levels."""
     (facts, held), body = held_by(pack), body_levels(full=True)
     row = facts["people"][k]
-    clone = centred(load_clone(results / row["id"] / CLONE_FILE))
+    clone = centre_joints(load_clone(results / row["id"] / CLONE_FILE))
     flow = load_flow(results / row["id"], clone)
     cast = cast_of(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow, budgets=held.budgets)
     budgets = (len(cast.loose.triangles[0]), *held.budgets)

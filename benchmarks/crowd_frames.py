@@ -27,7 +27,7 @@ from cloner.crowd.drawing.player import HELD, player_page
 from cloner.crowd.packs.files import packed
 from cloner.crowd.packs.pack import body_arrays
 from cloner.crowd.packs.reading import read_facts, read_stock
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.project.clone_file import CLONE_FILE, load_clone
 
 CLONES = 2
@@ -72,7 +72,9 @@ def whole_page(pack: Path, results: Path, folder: Path) -> tuple[Path, list[str]
         raise ValueError("a pack has impostors")
     rows = facts["people"][:CLONES]
     casts = [
-        cast_of(row["id"], centred(load_clone(results / row["id"] / CLONE_FILE)), body, poses=16, budgets=held.budgets)
+        cast_of(
+            row["id"], centre_joints(load_clone(results / row["id"] / CLONE_FILE)), body, poses=16, budgets=held.budgets
+        )
         for row in rows
     ]
     budgets = (max(len(cast.loose.triangles[0]) for cast in casts), *held.budgets)

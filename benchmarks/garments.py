@@ -28,7 +28,7 @@ from cloner.errors import ClonerError
 from cloner.generic.layers import Layer, clone_layers
 from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 from cloner.render import draw
@@ -148,7 +148,7 @@ def main() -> None:
         "| garment | bodies | whole | edges with three triangles | seam's edges unlike, mm | strain: median body's 95th percentile, worst | CPU s |",
         "| --- | --- | --- | --- | --- | --- | --- |",
     ]  # fmt: skip
-    people = {name: centred(clone_of_measures(told, 512)) for name, told in PEOPLE.items()}
+    people = {name: centre_joints(clone_of_measures(told, 512)) for name, told in PEOPLE.items()}
     shown, first = [], next(iter(people.values()))
     for garment in GARMENTS:
         whole, bad, unlike, strain, begun = 0, 0, 0.0, [], time.process_time()

@@ -27,11 +27,11 @@ from cloner.geometry.articulation.skinning import joint_transforms, linear_blend
 from cloner.geometry.cameras.viewpoints import framing_cameras
 from cloner.motion.captures.bvh import read_bvh
 from cloner.motion.captures.retarget import retarget
-from cloner.motion.flesh.bending import BENDS, FLESHED, Bend, bent, flesh
-from cloner.motion.flesh.correctives import corrected, driven
+from cloner.motion.flesh.bending import BENDS, FLESHED, JointBend, bent_rotations, flesh
+from cloner.motion.flesh.correctives import drive_correctives, with_correctives
 from cloner.motion.flesh.rest import in_t_pose
 from cloner.motion.limbs.body import SIDES, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
@@ -55,7 +55,7 @@ class Bending:
 
     def __init__(self, clone: Clone) -> None:
         self.clone, self.body = clone, body_of(clone)
-        shaped, self.drivers = corrected(clone)
+        shaped, self.drivers = with_correctives(clone)
         self.targets = {n: o[:-1].copy() for n, o in target_offsets(shaped) if n.startswith("corrective")}
         self.bytes = 14 * (len(shaped.morph_index) - len(clone.morph_index))
 
@@ -70,7 +70,7 @@ class Bending:
     def held(self, rotations: Array, places: tuple[tuple[str, str], ...]) -> Array:
         """Return (2, P, F) what the flesh of (side, joint) places holds over rest, without and with targets."""
         generic, none = load_generic(), np.zeros((len(rotations), 3))
-        motion = driven(Motion("bend", np.arange(float(len(rotations))), none, rotations), self.drivers)
+        motion = drive_correctives(Motion("bend", np.arange(float(len(rotations))), none, rotations), self.drivers)
         joints, weights = generic.skin_joints.astype(np.int64), generic.skin_weights.astype(np.float64)
         found = np.zeros((2, len(places), len(rotations)))
         for frame, pose in enumerate(rotations):
@@ -84,7 +84,7 @@ class Bending:
         return found
 
 
-def angles_of(bend: Bend) -> Array:
+def angles_of(bend: JointBend) -> Array:
     """Return the angles of a bend's range, 15 degrees apart or a little less."""
     low, high = bend.degrees[0], bend.degrees[-1]
     return np.linspace(low, high, int(np.ceil((high - low) / 15.0)) + 1)
@@ -95,7 +95,7 @@ def table(bending: Bending) -> list[str]:
     lines = ["| joint | angles | linear alone, % | with targets, % | worst, % |", "| --- | --- | --- | --- | --- |"]
     for bend in BENDS:
         angles = angles_of(bend)
-        held = np.stack([bending.held(bent(bending.body, side, bend, angles), ((side, bend.joint),))[:, 0]
+        held = np.stack([bending.held(bent_rotations(bending.body, side, bend, angles), ((side, bend.joint),))[:, 0]
                          for side in SIDES])  # fmt: skip
         worse = np.abs(held - 1.0).argmax(axis=0)
         told = 100.0 * np.take_along_axis(held, worse[None], axis=0)[0]
@@ -121,8 +121,8 @@ def sheet(bending: Bending) -> NDArray[np.uint8]:
     rows: list[list[NDArray[np.uint8]]] = [[], []]
     clone, body = replace(bending.clone, shells=()), bending.body
     for joint, way, degrees, azimuth in SHEET:
-        (pose,) = poses = bent(body, "l", Bend(joint, way, ()), (degrees,))
-        motion = driven(Motion("bend", np.zeros(1), np.zeros((1, 3)), poses), bending.drivers)
+        (pose,) = poses = bent_rotations(body, "l", JointBend(joint, way, ()), (degrees,))
+        motion = drive_correctives(Motion("bend", np.zeros(1), np.zeros((1, 3)), poses), bending.drivers)
         own = body.joint(f"l_{joint}")
         middle = (joint_transforms(clone.joints_m, body.parents, pose)[own] @ [*clone.joints_m[own], 1.0])[:3]
         points = np.vstack([middle + 0.22 * np.array(way) for way in ((1, 1, 1), (-1, -1, -1))])
@@ -143,7 +143,7 @@ def main() -> None:
     asked = parser.parse_args()
     text = [HEAD]
     for result in asked.results:
-        name, clone = (result if result.is_dir() else result.parent).name, centred(clone_of(result))
+        name, clone = (result if result.is_dir() else result.parent).name, centre_joints(clone_of(result))
         for pose, own in (("A", clone), ("T", in_t_pose(clone))):
             bending = Bending(own)
             targets = f"{len(bending.targets)} targets, {bending.bytes / 1e3:.0f} kB"

@@ -34,7 +34,7 @@ from cloner.evaluate.truths.kit import kit_people
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
-from cloner.measure.gathered import gathered
+from cloner.measure.gathered import gather_measures
 from cloner.project.folder import read_corrections
 from cloner.records.measures import Cover
 from cloner.testing import first_values, folder_values, run_stages, up_to
@@ -77,7 +77,7 @@ def cloned(values: Mapping[str, Any]) -> dict[str, Any]:
     """Return what a clone of one photographed person measures."""
     found, _ = run_stages(values, up_to(LAST_STAGE))
     photos = outlined_photos(found["phenotype"], found["obeyed_silhouettes"], found["proposals"], found["body"].views)
-    told = gathered(found["obeyed"], found["body"].mesh, photos, found["obeyed_silhouettes"], found["proposals"])
+    told = gather_measures(found["obeyed"], found["body"].mesh, photos, found["obeyed_silhouettes"], found["proposals"])
     return {
         "shown": np.array(list(told.shown_mm.values())),
         "under": told.under_mm,

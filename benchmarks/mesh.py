@@ -40,7 +40,7 @@ from cloner.geometry.meshes.triangles import areas, edges_of
 from cloner.geometry.meshes.wedges import triangulate
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import walk
 from cloner.picture import clone_of
@@ -268,7 +268,7 @@ def main() -> None:
     asked = parser.parse_args()
     clones = {path.name: clone_of(path) for path in asked.results}
     made = {f"random {seed}": random_clone(seed) for seed in range(FIRST_SEED, FIRST_SEED + asked.people)}
-    clones = {name: centred(clone) for name, clone in (clones | made).items() if clone is not None}
+    clones = {name: centre_joints(clone) for name, clone in (clones | made).items() if clone is not None}
     found = {}
     for name, clone in clones.items():
         found[name] = {pose: figures(clone, rotations) for pose, rotations in poses(clone).items()}

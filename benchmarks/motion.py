@@ -27,7 +27,7 @@ from cloner.motion.captures.anatomy import find_anatomy
 from cloner.motion.captures.bvh import Capture
 from cloner.motion.captures.retarget import captured_directions, retarget
 from cloner.motion.limbs.body import SIDES, Body, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.gait import walk
 from cloner.motion.moves.slide import step_slides_m
 from cloner.motion.moves.styles import REGULAR, STYLES, Style
@@ -49,7 +49,7 @@ def random_bodies(count: int, seed: int = 0) -> list[tuple[str, Body]]:
         stature = CHILD_M if number == 0 else float(rng.uniform(*STATURE_M))
         vertices, joints = load_generic().shape(rng.normal(size=20), stature)
         clone = replace(toy_clone(stature, hair=False), vertices_m=vertices, joints_m=joints)
-        found.append((f"random {number}, {stature:.2f} m", body_of(centred(clone))))
+        found.append((f"random {number}, {stature:.2f} m", body_of(centre_joints(clone))))
     return found
 
 
@@ -105,7 +105,7 @@ def _angles(capture: Capture, body: Body, motion: Motion) -> Array:
 
 def tables(results: list[Path], captures: list[Path], people: int) -> str:
     """Return both tables as Markdown."""
-    known = [(_who(path), body_of(centred(clone_of(path)))) for path in results]
+    known = [(_who(path), body_of(centre_joints(clone_of(path)))) for path in results]
     bodies = [*known, *random_bodies(people)]
     lines = [
         _head("walk of", "closes, mm", "sliding, mm a step", "worst, mm", "knee least, °", "most, °", "m/s"),

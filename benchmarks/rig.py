@@ -25,7 +25,7 @@ from cloner.geometry.cameras.viewpoints import framing_cameras
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, below, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import aim_limb
 from cloner.picture import clone_of
@@ -40,7 +40,7 @@ THUMB_DEG: Final = (20.0, 35.0, 45.0)
 
 
 def _about(axis: int, degrees: float) -> Array:
-    return turns.about(axis, np.array([np.radians(degrees)]))
+    return turns.rotations_about(axis, np.array([np.radians(degrees)]))
 
 
 def _world(body: Body) -> Array:
@@ -70,7 +70,7 @@ def sitting(body: Body) -> Array:
         aim_limb(body, world, side, "hip", _about(0, -90.0))
         aim_limb(body, world, side, "knee", _about(0, 0.0))
         world[:, below(body, body.joint(f"{side}_ankle"))] = np.eye(3)
-        aside = turns.about(2, np.array([body.arm_aside(side)]))
+        aside = turns.rotations_about(2, np.array([body.arm_aside(side)]))
         aim_limb(body, world, side, "shoulder", aside @ _about(0, -15.0))
         aim_limb(body, world, side, "elbow", _about(0, -85.0))
         _hand_along(body, world, side)
@@ -128,7 +128,7 @@ PANELS: Final[tuple[tuple[Callable[[Body], Array], float, tuple[str, ...], float
 def sheet(clone: Clone) -> NDArray[np.uint8]:
     """Return the picture: a column a pose; above the fit's skeleton, below the corrected one."""
     rows = []
-    for own, share in ((clone, False), (centred(clone), True)):
+    for own, share in ((clone, False), (centre_joints(clone), True)):
         body = body_of(own)
         rows.append(np.hstack([_panel(own, body, panel, share=share) for panel in PANELS]))
     return np.vstack(rows)

@@ -30,7 +30,7 @@ from cloner.motion.face.espeak import spoken
 from cloner.motion.face.speech import STEP_S, VISEMES, mouth_weights, phoneme_visemes, read_phonemes, viseme_of
 from cloner.motion.face.talk import FRAMES_PER_S, spoken_visemes, talk
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.render import render
@@ -120,7 +120,7 @@ def leading(shares: Array, phonemes: list[tuple[str, float]]) -> list[tuple[str,
 
 def strip(clone: Clone, speech: Path) -> NDArray[np.uint8]:
     """Return pictures of a speaking face, evenly through the first half of a speech, with the leading mouth shape."""
-    motion = talk(body_of(centred(clone)), speech.stem, spoken_visemes(speech))
+    motion = talk(body_of(centre_joints(clone)), speech.stem, spoken_visemes(speech))
     rows = np.linspace(0, len(motion.times_s) // 2, STRIP).astype(int)
     camera = standard_camera(clone, "face", 220, 280)
     pictures = []
@@ -152,7 +152,7 @@ def main() -> None:
     parser.add_argument("--voices", nargs="*", default=[])
     asked = parser.parse_args()
     if asked.voices:
-        clone = centred(clone_of(asked.clone))
+        clone = centre_joints(clone_of(asked.clone))
         sys.stdout.write("| voice | by sound: closed | salient lead | all lead | by phonemes: closed | salient | all "
                          "| p b m, salient, all |\n" + "| --- " * 8 + "|\n")  # fmt: skip
         for voice in asked.voices:

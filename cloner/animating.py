@@ -21,7 +21,7 @@ from cloner.motion.face.score import SILENT, Score, emotion_score, read_score
 from cloner.motion.face.speech import STEP_S
 from cloner.motion.face.talk import FRAMES_PER_S, scored, spoken_visemes, talk
 from cloner.motion.limbs.body import Body, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
@@ -74,7 +74,7 @@ def animate_file(
     for file in (out, *beside.values()):
         safe_output(file)
     clone = clone_of(clone_path)
-    made = [_motion(clone, body_of(centred(clone)), path, cycles=cycles, emotion=emotion) for path in sources]
+    made = [_motion(clone, body_of(centre_joints(clone)), path, cycles=cycles, emotion=emotion) for path in sources]
 
     def moves(posed: Clone) -> Sequence[Motion]:
         """Return the sources' motions, the first one first, and the clone's own, for any rest pose."""

@@ -14,7 +14,7 @@ from cloner import pipeline
 from cloner.abreast import abreast, beside
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS, check_formats
-from cloner.interactive.refitting import still_true
+from cloner.interactive.refitting import reusable_values
 from cloner.making import DEFAULT_TEXTURE_SIZE, check_texture_size, clone_photos
 from cloner.memory import check_room, keep_one_heap, peak_mib
 from cloner.pipeline import Progress, quiet
@@ -178,7 +178,7 @@ class _Work:
             seed=seed,
             texture_size=self.options["texture_size"],
             found=self.found,
-            known=still_true(known, photos, person, corrections),
+            known=reusable_values(known, photos, person, corrections),
             progress=lambda step, share: self.progress("export" if step == "done" else step, PIPELINE_SHARE * share),
         )
         values["clone"] = clone = replace(

@@ -21,8 +21,8 @@ from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections, Proposals
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.report.agreement import Agreement, agreements
-from cloner.report.evidence import contradicted, is_better
+from cloner.report.agreement import PhotoAgreement, agreements
+from cloner.report.evidence import contradicting_photos, is_better
 from cloner.stages import hair, textures
 from cloner.vision.photographs.pictures import read_picture
 
@@ -152,7 +152,7 @@ def _run_believing(
     given = dict(values)
     values, reports = pipeline.run(given, seed=seed, progress=progress, found=found, stages=stages)
     values["agreements"] = seen = _seen_whole(values)
-    unlike = contradicted(seen)
+    unlike = contradicting_photos(seen)
     if unlike:
         log.info("made again without %s", ", ".join(unlike))
         base = {name: given[name] for name in ("photos", "person", "corrections")}
@@ -165,7 +165,7 @@ def _run_believing(
     return values, reports
 
 
-def _seen_whole(values: Mapping[str, object]) -> dict[ViewId, Agreement]:
+def _seen_whole(values: Mapping[str, object]) -> dict[ViewId, PhotoAgreement]:
     return agreements(cast(Clone, values["clone"]), cast(SilhouetteSet, values["obeyed_silhouettes"]))
 
 

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.generic.framing import standard_camera
 from cloner.generic.gl_painter import Frame, Stage, new_context
-from cloner.generic.layers import Layer, clone_layers, whitened
-from cloner.generic.painter import mean_of_samples, paint
+from cloner.generic.layers import Layer, clone_layers, white_layers
+from cloner.generic.painter import downsample_samples, paint
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -139,12 +139,12 @@ def draw(
             "The picture is too large to draw", f"Keep it under {LARGEST_SIDE_PX // supersample} pixels", "render"
         )
     frame = Frame(camera, (width, height), background, lights, _ambient(shading), shading == "wire")
-    return mean_of_samples(_stage().picture(layers, frame), supersample)
+    return downsample_samples(_stage().picture(layers, frame), supersample)
 
 
 def coverage(layers: Sequence[Layer], camera: Camera, *, supersample: int = SUPERSAMPLE) -> Array:
     """Return the (H, W) share 0..1 of every pixel that the meshes cover; alpha counts as cover."""
-    return draw(whitened(layers), camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
+    return draw(white_layers(layers), camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
 
 
 def require_gl() -> None:

@@ -27,7 +27,7 @@ from cloner.project.folder import safe_identifier
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
-from cloner.report.derived import manifest_of, write_result
+from cloner.report.derived import make_manifest, write_result
 from cloner.stages.join import flat_soles
 
 #: Nobody shorter is undressed: it may be a child.
@@ -77,7 +77,7 @@ def undress_folder(
     with result_folder(out, name) as folder:
         bare = undressed_clone(clone, sex)
         progress("export", 0.6)
-        write_result(bare, folder, f"Body {name}", formats, manifest_of(bare, "undressed", {"sex": sex}, clone_path))
+        write_result(bare, folder, f"Body {name}", formats, make_manifest(bare, "undressed", {"sex": sex}, clone_path))
     progress("done", 1.0)
     return out / name
 

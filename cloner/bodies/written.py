@@ -25,7 +25,7 @@ from cloner.project.results import RESULT_MARK
 from cloner.project.stamps import stamp_text
 from cloner.project.tape import read_tape
 from cloner.records.clones import Clone
-from cloner.report.derived import manifest_of, write_result
+from cloner.report.derived import make_manifest, write_result
 
 WHERE: Final = "--measure"
 
@@ -86,7 +86,7 @@ def body_folder(
         options = {"sex": told.sex, "stature_m": round(told.stature_m, 4), "age_years": told.age_years}
         options["told_mm"] = dict(told.mm)
         told_mm = {key: round(value, 1) for key, value in told.mm.items()}
-        manifest = manifest_of(clone, "body from measures", options, source) | {"told_mm": told_mm}
+        manifest = make_manifest(clone, "body from measures", options, source) | {"told_mm": told_mm}
         write_result(clone, folder, f"Body {identifier}", formats, manifest)
     progress("done", 1.0)
     return out / safe_identifier(identifier), _said(clone, told, old)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.generic.seen_points import NAMES, spread
+from cloner.generic.seen_points import NAMES, point_sigma
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals, ViewPoints
@@ -60,7 +60,7 @@ def observed_joints(
         rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names and name not in placed]
         if len(places) and rows:
             shown = _visible_side(posed)
-            spread_m = phenotype.stature_m * np.array([spread(NAMES[row], shown) for row in rows])
+            spread_m = phenotype.stature_m * np.array([point_sigma(NAMES[row], shown) for row in rows])
             middle = np.array([0.0, phenotype.stature_m / 2.0, 0.0])
             joints = np.array([generic.joint(NAMES[row]) for row in rows])
             found[view] = ObservedJoints(joints, places[rows], spread_m / posed.camera.metres_per_pixel(middle))

@@ -1,4 +1,4 @@
-"""Numbers that people, photographs and nets decide, as data: one file a room, one entry a number.
+"""Calibrated numbers as data: one file a room, one entry a number.
 
 A file is named for its room and holds a table a module: ``body.toml``'s ``[bone_checks.longest]`` is read in
 ``cloner/body/bone_checks.py``. An entry says its value, its unit (`cloner.calibration.loader.UNITS`), what it is, where

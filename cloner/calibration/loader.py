@@ -1,4 +1,4 @@
-"""The one reader of calibration: named values whose unit the reading place says again."""
+"""The reader of calibration files; the caller repeats each value's unit as a check."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.flows import Flow
 from cloner.records.heads import Shell
-from cloner.report.derived import manifest_of, write_result
+from cloner.report.derived import make_manifest, write_result
 
 #: Side of a garment's picture, texels, and how much lighter or darker its threads are, 0..1 (taste).
 PICTURE_PX, THREADS = 256, 0.02
@@ -106,7 +106,7 @@ def write_worn(
     with result_folder(out.parent, name) as folder:
         if flow is not None:
             save_flow(flow, folder / FLOW_FILE)
-        write_result(worn, folder, f"Body {name}", formats, manifest_of(worn, "dressed", options, source))
+        write_result(worn, folder, f"Body {name}", formats, make_manifest(worn, "dressed", options, source))
 
 
 def clothed(found: Dressed, clone: Clone) -> tuple[Clone, Flow]:

@@ -21,7 +21,7 @@ from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
 from cloner.exporters.vat import PICTURE, REMAP, check_count
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import appears, safe_output
@@ -91,7 +91,7 @@ def dress_file(
     else:
         check_folder(out, clone_path, formats)
     fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
-    clone = centred(plain := clone_of(clone_path))
+    clone = centre_joints(plain := clone_of(clone_path))
     cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
     if out.suffix.lower() == PICTURE:
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)

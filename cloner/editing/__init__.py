@@ -1,1 +1,1 @@
-"""What an operator's corrections ask of a finished person, and how skin and pose obey."""
+"""Corrections as constraints on a finished person, and the deformation of skin and pose that meets them."""

@@ -1,4 +1,4 @@
-"""What corrected outline points ask of the skin: which part of the outline, from which side, how far.
+"""Constraints of corrected outline points on the skin: which part of the outline, from which side, how far.
 
 A point claims the outline nearest to it that its named part makes: levels along the body are a matter of opinion, the
 outline is not.
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_metric, territory
-from cloner.editing.wishes import Wish
+from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_metric, outline_skin
+from cloner.editing.wishes import PointConstraint
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skin_bends import EdgePoint
@@ -34,7 +34,7 @@ Bools = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """How far a point bends the skin.
+    """Range of a point's bend.
 
     Its numbers: ``cloner/calibration/editing.toml``, ``[claims.*]``.
 
@@ -65,7 +65,7 @@ class Params:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scene:
+class PosedPhoto:
     """One photo: camera, eye, skin transforms (V, 3, 4), and the unbent body posed and projected."""
 
     camera: Camera
@@ -77,10 +77,12 @@ class Scene:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Claim:
-    """A wish, the place of the unbent outline nearest to it, the outline's normal (2,), its gap, and edges (N, 2)."""
+class OutlineConstraint:
+    """A corrected point, the nearest place of the unbent outline, the outline's normal (2,), its distance, and edges
+    (N, 2).
+    """
 
-    wish: Wish
+    wish: PointConstraint
     place: EdgePoint
     outward: Array
     inward: bool
@@ -89,8 +91,8 @@ class Claim:
     edges: NDArray[np.int64]
 
 
-def scene_of(vertices_m: Array, joints_m: Array, posed: PosedView) -> Scene:
-    """Return the body as one photo shows it."""
+def posed_photo(vertices_m: Array, joints_m: Array, posed: PosedView) -> PosedPhoto:
+    """Return the body in one photo."""
     generic = load_generic()
     transforms = joint_transforms(joints_m, generic.joint_parents, posed.rotations)
     blended = blend_transforms(transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
@@ -100,42 +102,44 @@ def scene_of(vertices_m: Array, joints_m: Array, posed: PosedView) -> Scene:
     if camera.pixels_per_m is not None:  # it sees along parallel rays
         eye = eye - 1e4 * camera.camera_from_model[2, :3]
     mm_per_px = mm_from_m(camera.metres_per_pixel(posed_m.mean(axis=0)))
-    return Scene(camera, eye, blended, posed_m, camera.project(posed_m), mm_per_px)
+    return PosedPhoto(camera, eye, blended, posed_m, camera.project(posed_m), mm_per_px)
 
 
-def skin_of(wish: Wish, params: Params) -> Bools:
-    """Return (V,) the skin that may make the outline at a wished point."""
+def candidate_skin(wish: PointConstraint, params: Params) -> Bools:
+    """Return the skin (V,) that may make the outline at a corrected point."""
     if wish.name.startswith(ANCHOR):  # it has no place on the generic skin: all that may move
         return np.asarray(free_skin() > LEAST_FREE)
-    return territory(wish.name, m_from_mm(params.territory_mm), wish.view is ViewId.BODY_SIDE)
+    return outline_skin(wish.name, m_from_mm(params.territory_mm), wish.view is ViewId.BODY_SIDE)
 
 
-def nearest_rims(wishes: list[Wish], scenes: Mapping[ViewId, Scene], params: Params) -> list[ContourPoint | None]:
-    """Return for every wish the nearest point of the unbent body's outline."""
+def nearest_contour_points(
+    wishes: list[PointConstraint], scenes: Mapping[ViewId, PosedPhoto], params: Params
+) -> list[ContourPoint | None]:
+    """Return for every corrected point the nearest point of the unbent body's outline."""
     metric = generic_metric()
     found: dict[int, ContourPoint | None] = {}
     for view, seen in scenes.items():
         rim = occluding_contour(metric, seen.posed_m, seen.pixels, seen.eye_m)
         for k, wish in enumerate(wishes):
             if wish.view is view:
-                skin, penalty = skin_of(wish, params), params.inner_mm / seen.mm_per_px
+                skin, penalty = candidate_skin(wish, params), params.inner_mm / seen.mm_per_px
                 found[k] = nearest_contour_point(rim, metric, wish.target_px, skin, penalty)
     return [found[k] for k in range(len(wishes))]
 
 
-def claim_of(wish: Wish, found: ContourPoint, seen: Scene, params: Params) -> Claim:
-    """Return a wish with the outline's side and normal there, and the skin that may make the outline."""
+def make_constraint(wish: PointConstraint, found: ContourPoint, seen: PosedPhoto, params: Params) -> OutlineConstraint:
+    """Return a corrected point with the outline's side and normal there, and the skin that may make the outline."""
     away = wish.target_px - found.pixel
     gap_px = float(np.linalg.norm(away))
     inward = float(away @ found.outward) < 0.0
     outward = found.outward
     if gap_px > 2.0:  # the way to the nearest point is square to the outline; an edge's own normal is coarser
         outward = (-away if inward else away) / gap_px
-    metric, skin = generic_metric(), skin_of(wish, params)
+    metric, skin = generic_metric(), candidate_skin(wish, params)
     if wish.name.startswith(ANCHOR):
         skin = skin & (distance_from(found.place) < m_from_mm(params.territory_mm))
     edges = metric.edges[skin[metric.edges].all(axis=1)]
     # What lies farther out already is another part, beyond a gap: the other thigh, seen from the crotch.
     beyond = ((seen.pixels[edges] - found.pixel) @ outward).max(axis=1)
     edges = edges[beyond < params.gap_mm / seen.mm_per_px]
-    return Claim(wish, found.place, outward, inward, gap_px, gap_px * seen.mm_per_px, edges)
+    return OutlineConstraint(wish, found.place, outward, inward, gap_px, gap_px * seen.mm_per_px, edges)

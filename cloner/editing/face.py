@@ -1,4 +1,4 @@
-"""A face point moved a moment ago, shown at once: the head bent by DFFD to it, until the head is fitted anew.
+"""Immediate preview of moved face points: the head bent by DFFD until the head is fitted anew.
 
 The next whole run fits shape, cameras and relief of the head to all face points together; this preview lays the moved
 points' vertices where they were dragged, through the cameras of the last run, and lets the face around follow.
@@ -40,8 +40,8 @@ ITERATIONS = 3
 
 
 @functools.cache
-def _kinship() -> Array:
-    """Return (K, K) how alike two control points move; none that does not move."""
+def _control_covariance() -> Array:
+    """Return the correlation (K, K) between the displacements of control points; zero for fixed ones."""
     controls = load_head_controls()
     apart = np.linalg.norm(controls.controls_m[:, None] - controls.controls_m[None], axis=2)
     free = controls.movable.astype(np.float64)
@@ -50,7 +50,7 @@ def _kinship() -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Moved:
-    """One moved point: photo, name, vertex, and where it was put, (2,) px."""
+    """A moved point: photo, name, vertex, and its new position, (2,) px."""
 
     view: ViewId
     name: str
@@ -59,11 +59,11 @@ class _Moved:
     target_px: Array
 
     def gap_px(self, vertices_m: Array) -> Array:
-        """Return (2,) how far the vertex still has to go in the photo."""
+        """Return the remaining distance (2,) of the vertex from its target in the photo."""
         return np.asarray(self.target_px - self.camera.project(vertices_m[self.vertex][None])[0])
 
 
-def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
+def preview_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
     """Return the person with the face bent to the points that were moved since the last run.
 
     Parameters
@@ -80,17 +80,17 @@ def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Jo
     weights = controls.weights[:, : len(controls.names)]
     shape, vertices = joined.vertices_m.copy(), np.unique([one.vertex for one in moved])
     own = np.asarray(weights[np.searchsorted(generic.head_vertices, vertices)].todense(), dtype=np.float64)
-    reached = _kinship() @ own.T
+    reached = _control_covariance() @ own.T
     # neighbours stay two
     root = np.asarray(np.linalg.cholesky(own @ reached + 1e-6 * np.eye(len(vertices))), dtype=np.float64)
-    shift = reached @ np.asarray(np.linalg.solve(root.T, _pulls(shape[vertices], vertices, root, moved)))
+    shift = reached @ np.asarray(np.linalg.solve(root.T, _control_pulls(shape[vertices], vertices, root, moved)))
     shape[generic.head_vertices] += deform(weights, shift)
-    told = tuple(_tell(one, joined.vertices_m, shape) for one in moved)
+    told = tuple(_outcome(one, joined.vertices_m, shape) for one in moved)
     return replace(joined, vertices_m=shape, features_m=named_features(generic, shape)), told
 
 
-def _pulls(places_m: Array, vertices: NDArray[np.int64], root: Array, moved: list[_Moved]) -> Array:
-    """Return the likeliest pulls (N, 3), of which ``root`` (N, N) makes the moves of the vertices, metres."""
+def _control_pulls(places_m: Array, vertices: NDArray[np.int64], root: Array, moved: list[_Moved]) -> Array:
+    """Return the most likely pulls (N, 3), with ``root`` (N, N) from pulls to the vertices' displacements, metres."""
 
     def linearise(values: Values, iteration: int) -> Iterator[evidence.Residuals]:
         now = places_m + root @ values["pulls"].reshape(-1, 3)
@@ -105,7 +105,7 @@ def _pulls(places_m: Array, vertices: NDArray[np.int64], root: Array, moved: lis
 
 
 def _moved(joined: Joined, before: FacePoints, after: FacePoints) -> list[_Moved]:
-    """Return the corrected points of the face photos that lie elsewhere than in the last run."""
+    """Return the corrected points of the face photos that were moved since the last run."""
     generic = load_generic()
     out = []
     for view, points in after.views.items():
@@ -122,8 +122,8 @@ def _moved(joined: Joined, before: FacePoints, after: FacePoints) -> list[_Moved
     return out
 
 
-def _tell(one: _Moved, before_m: Array, after_m: Array) -> ObeyedPoint:
-    """Return what became of a moved point."""
+def _outcome(one: _Moved, before_m: Array, after_m: Array) -> ObeyedPoint:
+    """Return the outcome for a moved point."""
     away = float(np.linalg.norm(one.gap_px(after_m)))
     moved_mm = mm_from_m(float(np.linalg.norm(after_m[one.vertex] - before_m[one.vertex])))
     note = "" if away <= 1.0 else f"the face does not follow it, so the clone stays {away:.0f} px off it"

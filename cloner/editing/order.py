@@ -1,4 +1,4 @@
-"""In which order an operator looks at points: the one first whose true place is expected to mend most."""
+"""Order in which an operator should check points: by how much error a true position is expected to remove."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ IOD_M = _CALIBRATED.number("iod_m", "m")
 FIGURE_M = _CALIBRATED.number("figure_m", "m")
 
 
-def worth_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
-    """Return the proposed points of all photos, the one first whose true place mends most; placed ones come last.
+def by_expected_gain(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
+    """Return the proposed points of all photos in decreasing expected gain; placed ones come last.
 
     A face's point mends its neighbours too (``detectors/taught.py``), and counts for so much less once they are known.
     The face in a body photo is left out where the face has a photo of its own, which says the same larger.
@@ -39,29 +39,30 @@ def worth_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]
     for number, (view, one) in enumerate(points.items()):
         wanted = [name for name in one.names if view.is_face or name not in large]
         placed += [(view, name) for name in wanted if one.corrected[one.names.index(name)]]
-        queues.append([(-gain, number, view, name) for name, gain in gains(one) if name in wanted])
+        queues.append([(-gain, number, view, name) for name, gain in greedy_gains(one) if name in wanted])
     return [(view, name) for *_, view, name in heapq.merge(*queues)] + placed
 
 
-def gains(points: ViewPoints) -> list[tuple[str, float]]:
-    """Return a photo's points that nobody placed, each with what it mends beyond those before it, square metres."""
+def greedy_gains(points: ViewPoints) -> list[tuple[str, float]]:
+    """Return a photo's unplaced points, each with what it improves beyond those before it, square metres."""
     known: list[tuple[str, float]] = []
     if points.view.is_face:
         errors = errors_in_view(points.view)
         frame = align_layout(points, errors)
-        known = [] if frame is None else [(points.names[row], gain) for row, gain in _greedy(errors, frame)]
+        known = [] if frame is None else [(points.names[row], gain) for row, gain in _greedy_face_gains(errors, frame)]
         away = IOD_M * expected_face_error(points.confidence) * (frame is None)  # a hairline bends no face
     else:
         expected = expected_error(points.confidence)
-        away = BODY_SHARE * FIGURE_M * expected * np.sqrt(_far_chance(expected))
+        away = BODY_SHARE * FIGURE_M * expected * np.sqrt(_outlier_probability(expected))
     told = dict(known)
     alone = {name: float(far**2) for name, far in zip(points.names, away, strict=True) if name not in told}
     rows = [*told.items(), *alone.items()]
     return sorted((row for row in rows if not points.corrected[points.names.index(row[0])]), key=lambda row: -row[1])
 
 
-def _far_chance(expected: Array) -> Array:
-    """Return the chance (N,) that points with expected errors (N,), figure heights, lie so far off that the fit asks.
+def _outlier_probability(expected: Array) -> Array:
+    """Return the probability (N,) that points with sigmas (N,), figure heights, are wrong by more than the fit
+    tolerates.
 
     Nearer, a joint's correction turns a limb in its own photo, a point of the outline bends the skin around itself, and
     neither shapes the person (``stages/points.py``, for_fitting).
@@ -70,8 +71,8 @@ def _far_chance(expected: Array) -> Array:
     return np.asarray(np.exp(-np.pi / 4.0 * (FAR / np.maximum(expected, 1e-6)) ** 2))
 
 
-def _greedy(errors: FaceErrors, frame: LayoutAlignment) -> list[tuple[int, float]]:
-    """Return a face's points, each the one that mends most when all before it are known, and that, square metres."""
+def _greedy_face_gains(errors: FaceErrors, frame: LayoutAlignment) -> list[tuple[int, float]]:
+    """Return a face's points in greedy order of expected gain, and the gains, square metres."""
     axes = axis_rows(frame.known)
     spread = np.repeat(IOD_M * frame.expected_iod, 2)
     doubt = errors.moment[np.ix_(axes, axes)] * spread[:, None] * spread

@@ -1,4 +1,4 @@
-"""Which skin may make the outline at a named point; all of it depends on the generic human alone."""
+"""The skin that may make the outline at a named point, on the generic human alone."""
 
 from __future__ import annotations
 
@@ -40,7 +40,9 @@ def generic_metric() -> SkinMetric:
 
 @functools.cache
 def free_skin() -> Array:
-    """Return (V,) how far a point on the body's outline may move each vertex: the head is left to the face photos."""
+    """Return the freedom (V,) of each vertex to follow a point on the body's outline; the head follows face photos
+    only.
+    """
     generic = load_generic()
     free = generic.skin.astype(np.float64)
     if len(generic.head_blend):
@@ -49,7 +51,7 @@ def free_skin() -> Array:
 
 
 def distance_from(place: EdgePoint) -> Array:
-    """Return (V,) distances along the generic skin from a place, metres, at most ``FARTHEST_M``."""
+    """Return geodesic distances (V,) on the generic skin from a place, metres, at most ``FARTHEST_M``."""
     start = np.zeros(len(load_generic().vertices_m), dtype=bool)
     start[[place.first, place.second]] = True
     return generic_metric().graph.distance_from(start, FARTHEST_M)
@@ -57,12 +59,12 @@ def distance_from(place: EdgePoint) -> Array:
 
 @functools.cache
 def distance_from_feature(name: str) -> Array:
-    """Return (V,) distances along the generic skin from a feature's vertex, metres, at most ``FARTHEST_M``."""
+    """Return geodesic distances (V,) on the generic skin from a feature's vertex, metres, at most ``FARTHEST_M``."""
     vertex = load_generic().feature(name)
     return distance_from(EdgePoint(vertex, vertex, 0.0))
 
 
-def opposite(name: str) -> str:
+def opposite_feature(name: str) -> str:
     """Return the feature on the other side of the same limb or of the trunk, "" if there is none."""
     if name in _NAMED_OPPOSITE:
         return _NAMED_OPPOSITE[name]
@@ -74,7 +76,7 @@ def opposite(name: str) -> str:
     return ""
 
 
-def twin(name: str) -> str:
+def mirror_feature(name: str) -> str:
     """Return the same feature on the person's other side, "" if there is none."""
     for here, there in (("_left", "_right"), ("_right", "_left")):
         if name.endswith(here):
@@ -83,14 +85,16 @@ def twin(name: str) -> str:
 
 
 def half_girth_m(name: str) -> float:
-    """Return the way along the generic skin from a feature to the one opposite, metres; infinite without one."""
-    other = opposite(name)
+    """Return the geodesic distance on the generic skin from a feature to the one opposite, metres; infinite without
+    one.
+    """
+    other = opposite_feature(name)
     return float(distance_from_feature(other)[load_generic().feature(name)]) if other else float("inf")
 
 
 @functools.lru_cache(maxsize=256)
-def territory(name: str, reach_m: float, both_sides: bool) -> Bools:
-    """Return (V,) the skin that may make the outline at a named point.
+def outline_skin(name: str, reach_m: float, both_sides: bool) -> Bools:
+    """Return the skin (V,) that may make the outline at a named point.
 
     Parameters
     ----------
@@ -103,9 +107,9 @@ def territory(name: str, reach_m: float, both_sides: bool) -> Bools:
     """
     own = distance_from_feature(name)
     allowed = (free_skin() > LEAST_FREE) & (own < reach_m)
-    if opposite(name):
-        allowed = allowed & (own < distance_from_feature(opposite(name)))
-    other = twin(name) if both_sides else ""
-    if other and other != opposite(name):
-        allowed = allowed | territory(other, reach_m, False)
+    if opposite_feature(name):
+        allowed = allowed & (own < distance_from_feature(opposite_feature(name)))
+    other = mirror_feature(name) if both_sides else ""
+    if other and other != opposite_feature(name):
+        allowed = allowed | outline_skin(other, reach_m, False)
     return np.asarray(allowed)

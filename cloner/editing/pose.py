@@ -1,4 +1,4 @@
-"""Poses turned at corrected joints, so that the clone's joints lie in each photo where an operator placed them.
+"""Poses fitted to corrected joints, so that the clone's joints lie where an operator placed them.
 
 A corrected joint says how the limb is held in that photo, and a little where the joint lies in the limb: angles of the
 limb give way first, then the joint's place in rest pose (the paper's post-correction of the skeleton). The skin in rest
@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.editing.wishes import Wish
+from cloner.editing.wishes import PointConstraint
 from cloner.fit.evidence import Residuals, point_residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId, m_from_mm, mm_from_m
@@ -43,7 +43,7 @@ KEPT = tuple(f"{s}_{name}" for name in ("elbow", "wrist", "knee", "ankle") for s
 
 @dataclass(frozen=True, slots=True)
 class Params:
-    """What gives way (taste, after watching limbs follow a drag).
+    """Priors of the solution (taste, after watching limbs follow a drag).
 
     Limbs lie on their outlines already, so a small move is rather the joint's place in the limb than the limb's: with
     stiffer places a knee dragged by 10 px took the whole leg 6 px off its outline.
@@ -66,32 +66,32 @@ class Params:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Held:
-    """One photo's part: its wishes, and the points that they and the joints to be kept are (N).
+class _PhotoConstraints:
+    """Constraints of one photo: its corrected points, and the points (N) that they and the fixed joints are.
 
     Points depend on how corrected joints move in rest pose (3 M), then on the angles that may turn.
     """
 
     posed: PosedView
-    wishes: tuple[Wish, ...]
+    wishes: tuple[PointConstraint, ...]
     points: PointModel
     sigma: Array
 
     def rotations(self, turned: Array) -> Array:
-        """Return the (94, 3) rotations after the angles turned by (F,) radians."""
+        """Return the rotations (94, 3) after angles changed by (F,) radians."""
         return self.points.rotations(turned)
 
     def seen(self, shift_m: Array, turned: Array) -> tuple[Array, Array]:
-        """Return where the points are seen, (N, 2) px, and their change with both (N, 2, 3 M + F)."""
+        """Return the projected points (N, 2) px, and their Jacobian (N, 2, 3 M + F)."""
         moved = self.points.moved(shift_m, turned)
         pixels, by_points, _ = projection_derivatives(self.posed.camera, moved.points_m)
         return pixels, by_points @ np.concatenate([moved.by_shape, moved.by_pose], axis=2)
 
 
 def obey_pose(
-    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[Wish]
+    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[PointConstraint]
 ) -> tuple[Array, dict[ViewId, PosedView], list[ObeyedPoint]]:
-    """Return the joints in rest pose (94, 3), the poses, and how well each corrected joint is obeyed.
+    """Return the joints in rest pose (94, 3), the poses, and how well each corrected joint is met.
 
     Parameters
     ----------
@@ -106,12 +106,12 @@ def obey_pose(
     params, generic = Params(), load_generic()
     rows = sorted({generic.joint(wish.name) for wish in wishes if wish.name in generic.joint_names})
     held = {
-        view.value: _hold(
+        view.value: _photo_constraints(
             vertices_m, joints_m, rows, views[view], tuple(one for one in wishes if one.view is view), params
         )
         for view in dict.fromkeys(wish.view for wish in wishes)
     }
-    found = _solved(held, len(rows), params)
+    found = _solve_joints(held, len(rows), params)
     shift_m, poses, told = found["places"].reshape(-1, 3), dict(views), {}
     joints = joints_m.copy()
     joints[rows] += shift_m
@@ -122,14 +122,19 @@ def obey_pose(
         now, _ = one.seen(found["places"], found[name])
         for wish, old, new in zip(one.wishes, was, now, strict=False):  # joints to be kept follow the wishes
             row = rows.index(generic.joint(wish.name)) if wish.name in generic.joint_names else -1
-            told[id(wish)] = _tell(wish, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
+            told[id(wish)] = _outcome(wish, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
     return joints, poses, [told[id(wish)] for wish in wishes]
 
 
-def _hold(
-    vertices_m: Array, joints_m: Array, rows: list[int], posed: PosedView, wishes: tuple[Wish, ...], params: Params
-) -> _Held:
-    """Return one photo's part of the solution; ``rows`` are the joints that may move in rest pose."""
+def _photo_constraints(
+    vertices_m: Array,
+    joints_m: Array,
+    rows: list[int],
+    posed: PosedView,
+    wishes: tuple[PointConstraint, ...],
+    params: Params,
+) -> _PhotoConstraints:
+    """Return the constraints of one photo; ``rows`` are the joints that may move in rest pose."""
     generic, starts = load_generic(), set[str]()
     for wish in wishes:
         words = wish.name.split("_")
@@ -155,11 +160,13 @@ def _hold(
         pose_matrix(generic.joint_names)[:, columns],
         posed.rotations.ravel(),
     )
-    return _Held(posed, wishes, points, params.angle_share * SIGMAS[columns])
+    return _PhotoConstraints(posed, wishes, points, params.angle_share * SIGMAS[columns])
 
 
-def _solved(held: Mapping[str, _Held], count: int, params: Params) -> Values:
-    """Return how ``count`` joints move in rest pose ("places", (3 count,)), and every photo's angles' changes."""
+def _solve_joints(held: Mapping[str, _PhotoConstraints], count: int, params: Params) -> Values:
+    """Return the displacements of ``count`` joints in rest pose ("places", (3 count,)), and every photo's changes of
+    angles.
+    """
     most_m, still = m_from_mm(params.most_mm), np.zeros(3 * count)
     blocks = {"places": ParameterBlock(still, sigma=m_from_mm(params.place_mm), lower=-most_m, upper=most_m)}
     goals, sigma_px = {}, {}
@@ -178,8 +185,8 @@ def _solved(held: Mapping[str, _Held], count: int, params: Params) -> Values:
     return Problem(blocks).solve(linearise, iterations=params.iterations, tolerance=params.tolerance).values
 
 
-def _tell(wish: Wish, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
-    """Return what became of a wish."""
+def _outcome(wish: PointConstraint, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
+    """Return the outcome for a corrected point."""
     before, after = (float(np.linalg.norm(seen - wish.target_px)) for seen in (was_px, now_px))
     note = "" if after <= 1.0 else f"the limb does not reach it, so the clone stays {after:.0f} px off it"
     return ObeyedPoint(wish.view, wish.name, "pose", before, after, mm_from_m(shift_m), note)

@@ -1,4 +1,4 @@
-"""The skin bent at corrected outline points, so that the clone's outline passes through them.
+"""Skin bent locally at corrected outline points, so that the clone's outline passes through them.
 
 The last step of the body, after all that is fitted to whole photos: a corrected point moves the skin around it, about a
 hand's breadth far, and nothing else.
@@ -14,9 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.editing.claims import Claim, Params, Scene, claim_of, nearest_rims, scene_of
-from cloner.editing.places import distance_from, free_skin, generic_metric, half_girth_m, opposite
-from cloner.editing.wishes import Wish
+from cloner.editing.claims import (
+    OutlineConstraint,
+    Params,
+    PosedPhoto,
+    make_constraint,
+    nearest_contour_points,
+    posed_photo,
+)
+from cloner.editing.places import distance_from, free_skin, generic_metric, half_girth_m, opposite_feature
+from cloner.editing.wishes import PointConstraint
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.articulation.skin_bends import EdgePoint, bump, least_norm_step
@@ -37,7 +44,7 @@ EASE = _CALIBRATED.number("ease", "factor")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Handle:
-    """A place that moves for one claim: where, the edges watched around it (N, 2), the bump's vertices and heights."""
+    """A handle of one constraint: its place, the edges watched around it (N, 2), the bump's vertices and heights."""
 
     claim: int
     place: EdgePoint
@@ -52,7 +59,7 @@ class _Handle:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Bend:
-    """Vertices (N,), bumps of K handles there (N, K), and how far each is raised (K, 3), metres in rest pose."""
+    """Vertices (N,), bumps of K handles there (N, K), and each handle's displacement (K, 3), metres in rest pose."""
 
     vertices: NDArray[np.int64]
     bumps: Array
@@ -60,7 +67,7 @@ class _Bend:
 
     @property
     def shift_m(self) -> Array:
-        """Return (N, 3) moves of the vertices."""
+        """Return the displacements (N, 3) of the vertices."""
         return np.asarray(self.bumps @ self.raised_m)
 
     def bent(self, vertices_m: Array) -> Array:
@@ -78,12 +85,12 @@ class _Bend:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Work:
-    """What is solved: the unbent vertices (V, 3) in rest pose, the claims, and the photos."""
+    """The problem: the unbent vertices (V, 3) in rest pose, the constraints, and the photos."""
 
     vertices_m: Array
     stature_m: float
-    claims: tuple[Claim, ...]
-    scenes: Mapping[ViewId, Scene]
+    claims: tuple[OutlineConstraint, ...]
+    scenes: Mapping[ViewId, PosedPhoto]
     params: Params
 
     def bent_pixels(self, bend: _Bend) -> dict[ViewId, Array]:
@@ -97,9 +104,13 @@ class _Work:
 
 
 def obey_skin(
-    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[Wish], stature_m: float
+    vertices_m: Array,
+    joints_m: Array,
+    views: Mapping[ViewId, PosedView],
+    wishes: list[PointConstraint],
+    stature_m: float,
 ) -> tuple[Array, list[ObeyedPoint]]:
-    """Return the vertices bent so that the outline passes through all wished points, and how well it does.
+    """Return the vertices bent so that the outline passes through all corrected points, and how well it does.
 
     Parameters
     ----------
@@ -112,31 +123,31 @@ def obey_skin(
         Scales reaches that are measured on the generic skin.
     """
     params = Params()
-    scenes = {view: scene_of(vertices_m, joints_m, views[view]) for view in {wish.view for wish in wishes}}
+    scenes = {view: posed_photo(vertices_m, joints_m, views[view]) for view in {wish.view for wish in wishes}}
     claims, refused = [], {}
-    for k, (wish, found) in enumerate(zip(wishes, nearest_rims(wishes, scenes, params), strict=True)):
-        claim = None if found is None else claim_of(wish, found, scenes[wish.view], params)
+    for k, (wish, found) in enumerate(zip(wishes, nearest_contour_points(wishes, scenes, params), strict=True)):
+        claim = None if found is None else make_constraint(wish, found, scenes[wish.view], params)
         if claim is None or claim.gap_mm > params.most_mm:
-            refused[k] = _refused(wish, claim)
+            refused[k] = _rejected_outcome(wish, claim)
         else:
             claims.append(claim)
     if not claims:
         return vertices_m, [refused[k] for k in range(len(wishes))]
     work = _Work(vertices_m, stature_m, tuple(claims), scenes, params)
     bend = _solve(work)
-    told = iter(_tell(work, bend))
+    told = iter(_outcomes(work, bend))
     return bend.bent(vertices_m), [refused[k] if k in refused else next(told) for k in range(len(wishes))]
 
 
 def _solve(work: _Work) -> _Bend:
-    """Return the bend that obeys all claims together, as far as skin does not fold.
+    """Return the bend that meets all constraints together, as far as skin does not fold.
 
     Pressed in at one place, the body may show other skin there - the other breast, the other leg - which then becomes
     a handle too.
     """
     handles = [_handle(work, k, claim.place) for k, claim in enumerate(work.claims)]
     for _ in range(work.params.rounds):
-        bend = _gentle(work, handles)
+        bend = _least_damped(work, handles)
         pixels = work.bent_pixels(bend)
         new = []
         for k, claim in enumerate(work.claims):
@@ -151,7 +162,7 @@ def _solve(work: _Work) -> _Bend:
 
 
 def _handle(work: _Work, number: int, place: EdgePoint) -> _Handle:
-    """Return the handle of a claim at a place of its outline."""
+    """Return the handle of a constraint at a place of its outline."""
     claim = work.claims[number]
     seen = work.scenes[claim.wish.view]
     to_rest = np.linalg.inv(place.at(seen.blended)[:, :3])
@@ -170,16 +181,16 @@ def _handle(work: _Work, number: int, place: EdgePoint) -> _Handle:
     return _Handle(number, place, claim.edges[answers[claim.edges].any(axis=1)], patch, height)
 
 
-def _reach_m(work: _Work, claim: Claim) -> Array:
-    """Return where a bend ends across the outline, along the line of sight, and along the outline, (3,) metres."""
+def _reach_m(work: _Work, claim: OutlineConstraint) -> Array:
+    """Return a bend's radius across the outline, along the line of sight, and along the outline, (3,) metres."""
     params, name, scale = work.params, claim.wish.name, work.stature_m / GENERIC_STATURE_M
     least = params.gentle * claim.gap_mm
     along = float(np.clip(params.reach_per_mm * claim.gap_mm, params.least_reach_mm, params.most_reach_mm))
     along = max(along, least)
     across, radius = along, params.usual_radius_mm * scale
-    if opposite(name):
+    if opposite_feature(name):
         generic = load_generic()
-        ends = work.vertices_m[[generic.feature(name), generic.feature(opposite(name))]]
+        ends = work.vertices_m[[generic.feature(name), generic.feature(opposite_feature(name))]]
         across = max(min(along, params.across * mm_from_m(float(np.linalg.norm(ends[1] - ends[0])))), 0.8 * least)
         radius = mm_from_m(half_girth_m(name)) / np.pi * scale
     sight = params.depth * along
@@ -188,21 +199,21 @@ def _reach_m(work: _Work, claim: Claim) -> Array:
     return np.array([m_from_mm(across), m_from_mm(sight), m_from_mm(along)])
 
 
-def _gentle(work: _Work, handles: list[_Handle]) -> _Bend:
-    """Return the bend with as little damping as keeps the skin from folding; claims that contradict fold it."""
+def _least_damped(work: _Work, handles: list[_Handle]) -> _Bend:
+    """Return the bend with the least damping that keeps the skin from folding; contradicting constraints fold it."""
     vertices = np.unique(np.concatenate([handle.patch for handle in handles]))
     bumps = np.zeros((len(vertices), len(handles)))
     for k, handle in enumerate(handles):
         bumps[np.searchsorted(vertices, handle.patch), k] = handle.height
     flat = _Bend(vertices, bumps, np.zeros((len(handles), 3)))
     for damping in work.params.damping:
-        bend = _raised(work, handles, flat, damping)
+        bend = _newton_steps(work, handles, flat, damping)
         if not _folds(work, bend):
             return bend
     return flat
 
 
-def _raised(work: _Work, handles: list[_Handle], flat: _Bend, damping: float) -> _Bend:
+def _newton_steps(work: _Work, handles: list[_Handle], flat: _Bend, damping: float) -> _Bend:
     """Return the bend after Newton's steps; every handle is one equation along the outline's normal.
 
     Undamped, each step is the smallest that serves, and skin that is pressed in is only ever pressed further, as else
@@ -222,7 +233,7 @@ def _raised(work: _Work, handles: list[_Handle], flat: _Bend, damping: float) ->
 
 
 def _equations(work: _Work, handles: list[_Handle], bend: _Bend) -> tuple[Array, Array]:
-    """Return how far (px) handles' outlines go outward per metre of all raises (K, 3 K), and should go (K,)."""
+    """Return the Jacobian (K, 3 K) of the outlines' moves by the handles', px per metre, and the targets (K,)."""
     pixels = work.bent_pixels(bend)
     rows, wanted = [], []
     for handle in handles:
@@ -230,20 +241,20 @@ def _equations(work: _Work, handles: list[_Handle], bend: _Bend) -> tuple[Array,
         shown, target = pixels[claim.wish.view], claim.wish.target_px
         seen = outermost_point(handle.edges, shown, target, claim.outward)
         place, beyond = seen or (handle.place, float((handle.place.at(shown) - target) @ claim.outward))
-        slope = _slope(place, claim.outward, work.scenes[claim.wish.view])
+        slope = _pixel_slope(place, claim.outward, work.scenes[claim.wish.view])
         rows.append(np.outer(bend.of(place), slope).ravel())
         wanted.append(-beyond)
     return np.array(rows), np.array(wanted)
 
 
-def _slope(place: EdgePoint, normal: Array, seen: Scene) -> Array:
-    """Return how far (px, along ``normal``) a place is seen to go per metre of its move in rest pose, (3,)."""
+def _pixel_slope(place: EdgePoint, normal: Array, seen: PosedPhoto) -> Array:
+    """Return the derivative (3,), px along ``normal`` per metre, of a place's projection by its move in rest pose."""
     by_point = projection_derivatives(seen.camera, place.at(seen.posed_m)[None])[1][0]
     return np.asarray(normal @ by_point @ place.at(seen.blended)[:, :3])
 
 
 def _folds(work: _Work, bend: _Bend) -> bool:
-    """Return whether a triangle turns over or shrinks to nothing."""
+    """Return whether a triangle flips or degenerates."""
     metric, params = generic_metric(), work.params
     moves = np.zeros(len(work.vertices_m), dtype=bool)
     moves[bend.vertices] = True
@@ -257,8 +268,8 @@ def _folds(work: _Work, bend: _Bend) -> bool:
     return bool((turned & (size > least**2)).any())
 
 
-def _refused(wish: Wish, claim: Claim | None) -> ObeyedPoint:
-    """Return what is told of a point that the skin cannot follow."""
+def _rejected_outcome(wish: PointConstraint, claim: OutlineConstraint | None) -> ObeyedPoint:
+    """Return the outcome for a point that the skin cannot follow."""
     if claim is None:
         note = "no outline of the clone is seen there, so the point was left out"
         return ObeyedPoint(wish.view, wish.name, "outline", 0.0, 0.0, 0.0, note)
@@ -266,8 +277,8 @@ def _refused(wish: Wish, claim: Claim | None) -> ObeyedPoint:
     return ObeyedPoint(wish.view, wish.name, "outline", claim.gap_px, claim.gap_px, 0.0, note)
 
 
-def _tell(work: _Work, bend: _Bend) -> list[ObeyedPoint]:
-    """Return what became of every claim."""
+def _outcomes(work: _Work, bend: _Bend) -> list[ObeyedPoint]:
+    """Return the outcomes of all constraints."""
     pixels, after_px = work.bent_pixels(bend), []
     for claim in work.claims:
         shown = outermost_point(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
@@ -277,12 +288,12 @@ def _tell(work: _Work, bend: _Bend) -> list[ObeyedPoint]:
         wish = claim.wish
         moved_mm = mm_from_m(float(np.linalg.norm(bend.of(claim.place) @ bend.raised_m)))
         others = [work.claims[j].wish for j in range(len(work.claims)) if j != k and after_px[j] > 1.0]
-        note = _kept_apart(after_px[k], others) if after_px[k] > 1.0 else ""
+        note = _is_separated(after_px[k], others) if after_px[k] > 1.0 else ""
         out.append(ObeyedPoint(wish.view, wish.name, "outline", claim.gap_px, after_px[k], moved_mm, note))
     return out
 
 
-def _kept_apart(after_px: float, others: list[Wish]) -> str:
+def _is_separated(after_px: float, others: list[PointConstraint]) -> str:
     if not others:
         return f"the skin would fold, so the clone stays {after_px:.0f} px off it"
     named = " and ".join(f"{other.name} of {other.view}" for other in others)

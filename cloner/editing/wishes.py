@@ -1,4 +1,4 @@
-"""What a correction asks of a finished person."""
+"""A correction as a constraint on a finished person."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from cloner.frames import ViewId
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Wish:
-    """One corrected point, of the outline or of what the pose carries: ``target_px`` (2,) is of the photo ``view``."""
+class PointConstraint:
+    """A corrected point, of the outline or of the pose: ``target_px`` (2,) in the photo ``view``."""
 
     view: ViewId
     name: str

@@ -32,8 +32,8 @@ from cloner.exporters.shared.pictures import picture_bytes
 from cloner.exporters.shared.roughness import roughness_map, shell_shine
 from cloner.exporters.vrml.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.morphs import moved_wedges
-from cloner.motion.limbs.rig import centred
+from cloner.generic.morphs import wedge_offsets
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -68,7 +68,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = id
         pictures[f"textures/{name}{_ROUGH}"] = png_bytes(roughness_map(clone))
     with tempfile.TemporaryDirectory() as scratch:
         layer = Path(scratch) / f"{name}.usdc"
-        _stage(pxr, centred(clone), name, layer, moves)
+        _stage(pxr, centre_joints(clone), name, layer, moves)
         content = layer.read_bytes()
     path = folder / f"{name}.usdz"
     write_bytes(path, packed({layer.name: content, **pictures}))
@@ -207,7 +207,7 @@ def _targets(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str, bind
     """Define the targets that move a mesh and turn its normals."""
     names, paths, vec3 = [], [], pxr.Vt.Vec3fArray.FromNumpy
     for (target, moved, offsets_m), (turned, differences) in zip(
-        moved_wedges(clone, mesh.vertex, SMALLEST_OFFSET_M), turned_wedges(clone, mesh.vertex), strict=True
+        wedge_offsets(clone, mesh.vertex, SMALLEST_OFFSET_M), turned_wedges(clone, mesh.vertex), strict=True
     ):
         if len(moved):
             path = f"{_ROOT}/{name}/{identifier(target)}"

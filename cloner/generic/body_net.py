@@ -1,4 +1,4 @@
-"""Where the pose net's points lie on a body: ``body_net.npz``, made by generic_models/build/calibrate_body_net.py.
+"""Calibration of the pose net's points on a body: ``body_net.npz``, made by generic_models/build/calibrate_body_net.py.
 
 A net point that is called "wrist" lies near a wrist, not in it, and elsewhere when seen from behind. The file holds
 for every point its mean place beside a joint of the skeleton and its spread, found on painted people in clothes.
@@ -99,7 +99,7 @@ class BodyNet:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class NetPoints:
-    """A photo's net points and where they should lie.
+    """A photo's net points and their expected positions.
 
     Attributes
     ----------
@@ -118,8 +118,8 @@ class NetPoints:
     spread: Array
 
 
-def base_place(generic: GenericHuman, base: str, vertices_m: Array, joints_m: Array) -> Array:
-    """Return the (3,) place of a joint or feature among a body's joints and vertices."""
+def base_position(generic: GenericHuman, base: str, vertices_m: Array, joints_m: Array) -> Array:
+    """Return the position (3,) of a joint or feature among a body's joints and vertices."""
     if base in generic.joint_names:
         return np.asarray(joints_m[generic.joint(base)], dtype=np.float64)
     return np.asarray(vertices_m[generic.feature(base)], dtype=np.float64)
@@ -153,7 +153,11 @@ def net_points(proposal: Proposal, side_shown: str, *, without: Collection[str] 
     without : collection of str
         Feature points that an operator corrected: the net's opinion of them is left out.
     """
-    rows = [] if not proposal.pose_visibility.any() else [*_posed(proposal, side_shown), *_seen(proposal, side_shown)]
+    rows = (
+        []
+        if not proposal.pose_visibility.any()
+        else [*_pose_net_rows(proposal, side_shown), *_label_net_rows(proposal, side_shown)]
+    )
     told = [row for row in rows if row.corrected_as not in without]
     return NetPoints(
         np.array([row.point_px for row in told]).reshape(-1, 2),
@@ -173,8 +177,8 @@ class _Row(NamedTuple):
     corrected_as: str
 
 
-def _posed(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
-    """Yield the pose net's points, less those that the label net was asked for."""
+def _pose_net_rows(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
+    """Yield the pose net's points, without those that the label net replaces."""
     net = load_body_net()
     for row, mark in enumerate(LANDMARKS):
         middle = mark.rows[0] == mark.rows[1]
@@ -182,14 +186,14 @@ def _posed(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
             if len(proposal.seen_px) and mark.corrected_as(left) in seen_points.NAMES:
                 continue
             own = "" if middle else "left" if left else "right"
-            place = SIDES.index(seen_points.side_seen(own, side_shown))
+            place = SIDES.index(seen_points.visible_aspect(own, side_shown))
             mirrored = side_shown == "right" if middle else not left
             offset = net.offset[place, row] * ((-1.0, 1.0, 1.0) if mirrored else 1.0)
             spread = _REAL * float(net.spread[place, row])
             yield _Row(proposal.pose_px[mark.rows[not left]], mark.base(left), offset, spread, mark.corrected_as(left))
 
 
-def _seen(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
+def _label_net_rows(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
     """Yield the label net's points."""
     for point, name in zip(proposal.seen_px, seen_points.NAMES, strict=False):
-        yield _Row(point, name, np.zeros(3), seen_points.spread(name, side_shown), name)
+        yield _Row(point, name, np.zeros(3), seen_points.point_sigma(name, side_shown), name)

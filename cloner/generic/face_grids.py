@@ -1,4 +1,4 @@
-"""Rows and columns of the generic human's lids and lips: closed rings of quads around each opening."""
+"""Grids of the generic human's lids and lips: closed rings of quads around each opening."""
 
 from __future__ import annotations
 
@@ -52,13 +52,13 @@ class Grid:
 
     @property
     def lower(self) -> NDArray[np.bool_]:
-        """The columns of the lower lid or lip, without the corners."""
+        """Return the columns of the lower lid or lip, without the corners."""
         own = ~self.upper
         own[self.corners] = False
         return own
 
     def ring(self, outwards: int) -> Indices:
-        """Return the (N,) vertices of the ring so many steps outside the margin, or inside it when negative."""
+        """Return the vertices (N,) of the ring that many steps outside the margin, or inside it when negative."""
         return np.asarray(self.rings[self.margin + outwards], dtype=np.int32)
 
 
@@ -100,20 +100,20 @@ class _Quads:
                 self.near[b].add(a)
 
     def across(self, vertex: int, before: int) -> int:
-        """Return the neighbour straight on behind a vertex."""
+        """Return the neighbour straight ahead behind a vertex."""
         beside = {v for row in self.of_vertex[vertex] if before in self.quads[row] for v in self.quads[row]}
         (ahead,) = self.near[vertex] - beside
         return ahead
 
     def loop(self, start: int, second: int) -> list[int]:
-        """Return the closed ring that goes straight on from two vertices."""
+        """Return the closed ring straight ahead from two vertices."""
         out = [start, second]
         while (ahead := self.across(out[-1], out[-2])) != start:
             out.append(ahead)
         return out
 
     def beside(self, ring: list[int], first: int) -> list[int]:
-        """Return the ring beside a ring, whose first vertex is known."""
+        """Return the ring beside a ring, given its first vertex."""
         out = [first]
         for a, b in itertools.pairwise(ring):
             (row,) = (row for row in self.of_vertex[a] if b in self.quads[row] and out[-1] in self.quads[row])
@@ -188,8 +188,8 @@ def eyeball(vertices_m: NDArray[np.float64], side: str) -> Eyeball:
     return Eyeball((front + (1.0 + CORNEA) * back) / (2.0 + CORNEA))
 
 
-def lips_apart(grid: Grid, points: Array) -> Array:
-    """Return (N,) by how much lips stand apart at every column's place, metres; negative where they cross.
+def lip_gaps_m(grid: Grid, points: Array) -> Array:
+    """Return the gap (N,) between the lips at every column's position, metres; negative where they cross.
 
     It is measured upright, as seen from the front, between the lowest line of the upper lip and the highest of the
     lower; zero at the corners.

@@ -1,4 +1,4 @@
-"""Draw layers through GL, without a screen; only home of moderngl. ``cloner.generic.painter`` is its twin in NumPy."""
+"""Offscreen OpenGL renderer; the only module that uses moderngl. ``cloner.generic.painter`` is its twin in NumPy."""
 
 from __future__ import annotations
 

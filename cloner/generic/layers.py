@@ -93,7 +93,7 @@ def _layer(shell: Shell, posed_m: Array) -> Layer:
     return Layer(posed_m, normals, shell.triangles, shell.uv, shell.rgba, two_sided=True)
 
 
-def whitened(layers: Sequence[Layer]) -> list[Layer]:
+def white_layers(layers: Sequence[Layer]) -> list[Layer]:
     """Return the layers all white but for their alpha: drawn on black they show what is covered."""
     return [replace(layer, texture=_with_alpha(layer.texture), colour=(1.0, 1.0, 1.0), white=True) for layer in layers]
 

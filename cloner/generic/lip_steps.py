@@ -1,4 +1,4 @@
-"""How lips move: a step of the margin fades out over the rings around it; and the step to where a photo shows them."""
+"""Displacement of lips: a step of the margin that fades out over the rings around it."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from cloner.records.arrays import Array
 SHARE: Final = np.array([0.6, 0.85, 1.0, 1.0, 0.95, 0.75, 0.5, 0.3, 0.15, 0.05, 0.0])
 
 
-def to_borders(grid: Grid, rings_px: Array, borders_px: Array) -> Array:
-    """Return (N,) how far down in a photo, px, each column's lip lies from the border that the photo shows.
+def drop_from_borders(grid: Grid, rings_px: Array, borders_px: Array) -> Array:
+    """Return how far (N,) each column's lip lies below the border that the photo shows, px.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The shipped table of measures: the family's bodies, their clothes and the fit's errors; no sample visitor took part.
+"""The shipped statistics of measures: bodies, clothes and errors of the fit; no sample visitor took part.
 
 ``benchmarks/measure_table.py`` writes it from the people of ``benchmarks/measure_samples.py``.
 """

@@ -23,7 +23,7 @@ def target_offsets(clone: Clone) -> Iterator[tuple[str, NDArray[np.float32]]]:
         yield name, offsets
 
 
-def moved_wedges(
+def wedge_offsets(
     clone: Clone, vertex: NDArray[np.integer], smallest_m: float
 ) -> Iterator[tuple[str, NDArray[np.int64], NDArray[np.float32]]]:
     """Yield every morph target's name, the wedges (M,) that it moves by more than ``smallest_m``, and offsets (M, 3).

@@ -1,4 +1,4 @@
-"""Draw layers in plain NumPy, for machines without EGL: slower, same picture but for its edges.
+"""Software renderer in NumPy for machines without EGL: slower, same picture but for its edges.
 
 One sample a pixel and no mipmaps; everything else is as in ``cloner.render``.
 """
@@ -28,7 +28,7 @@ _DEEPEST: Final = 24  # taste: blended surfaces behind one another in one pixel;
 
 @dataclass(slots=True)
 class _Canvas:
-    """The picture while it is painted: flat pixels, nearest opaque 1/depth."""
+    """The picture under construction: flat pixels, nearest opaque 1/depth."""
 
     colour: NDArray[np.float32]
     nearness: NDArray[np.float32]
@@ -70,7 +70,7 @@ def _paint_opaque(
     canvas: _Canvas, layer: Layer, camera: Camera, lights: Sequence[tuple[Array, float]], ambient: float
 ) -> None:
     """Paint a closed mesh; the nearest surface of every pixel wins."""
-    points_px, nearness, triangles = _seen(layer, camera)
+    points_px, nearness, triangles = _project_front_facing(layer, camera)
     winner = np.full(len(canvas.nearness), -1, dtype=np.int64)
     weights = np.zeros((len(canvas.nearness), 3), dtype=np.float32)
     for pixel, triangle, share in fragments(points_px, triangles, camera.width_px, camera.height_px):
@@ -90,8 +90,8 @@ def _paint_opaque(
 def _paint_blended(
     canvas: _Canvas, layer: Layer, camera: Camera, lights: Sequence[tuple[Array, float]], ambient: float
 ) -> None:
-    """Lay a mesh with alpha over what is there, back to front in every pixel."""
-    points_px, nearness, triangles = _seen(layer, camera)
+    """Composite a mesh with alpha over the picture, back to front in every pixel."""
+    points_px, nearness, triangles = _project_front_facing(layer, camera)
     pixels, nears, colours = [], [], []
     for pixel, triangle, share in fragments(points_px, triangles, camera.width_px, camera.height_px):
         corners = triangles[triangle]
@@ -116,8 +116,8 @@ def _paint_blended(
         canvas.colour[pixel[now]] = alpha * rgba[now, :3] + (1.0 - alpha) * canvas.colour[pixel[now]]
 
 
-def _seen(layer: Layer, camera: Camera) -> tuple[Array, NDArray[np.float32], NDArray[np.int32]]:
-    """Return projected points, 1/depth of every vertex, and the triangles that face the camera or have two sides."""
+def _project_front_facing(layer: Layer, camera: Camera) -> tuple[Array, NDArray[np.float32], NDArray[np.int32]]:
+    """Return projected points, 1/depth of every vertex, and the triangles that face the camera or are two-sided."""
     depth = camera.to_camera(layer.vertices_m)[:, 2]
     points_px = camera.project(layer.vertices_m)
     triangles = layer.triangles[(depth[layer.triangles] > NEAR_M).all(axis=1)]
@@ -175,7 +175,7 @@ def _texels(texture: NDArray[np.uint8], uv: Array) -> NDArray[np.float32]:
     return total
 
 
-def mean_of_samples(large: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
+def downsample_samples(large: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
     """Return the picture at 1/factor size, each pixel the mean of its samples."""
     if factor == 1:
         return np.ascontiguousarray(large)

@@ -1,4 +1,4 @@
-"""How much each photo is wanted on each part of the generic human, before looking at angles."""
+"""Prior weights of each photo on each part of the generic human, before viewing angles."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _CHEST_REACH_M = 0.25
 
 
 def photo_shares(generic: GenericHuman, view: ViewId, *, photos: frozenset[ViewId]) -> NDArray[np.float64]:
-    """Return (V,) factors >= 0 by which a photo's claim on each vertex is scaled.
+    """Return factors (V,) >= 0 that scale a photo's claim on each vertex.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def photo_shares(generic: GenericHuman, view: ViewId, *, photos: frozenset[ViewI
 
 
 def mirrored_share() -> float:
-    """Return the factor on a photo's claim where it is used for the half it does not show."""
+    """Return the factor on a photo's claim for the half that it does not show."""
     return _MIRRORED
 
 

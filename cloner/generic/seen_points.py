@@ -1,4 +1,4 @@
-"""Joints and points of the skin that the label net sees under clothes, and where they lie on the generic human."""
+"""Joints and skin points that the label net sees under clothes, and their positions on the generic human."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ SPREADS: Final = {side: _CALIBRATED.table(f"spread_{side}", "share") for side in
 PAIRS: Final = tuple((row, row + 1) for row in range(0, 16, 2))
 
 
-def side_seen(own: str, side_shown: str) -> str:
-    """Return what a photo shows of a point: "front", "back", or "near" or "far" of the body in a side photo.
+def visible_aspect(own: str, side_shown: str) -> str:
+    """Return the aspect of a point in a photo: "front", "back", or "near" or "far" of the body in a side photo.
 
     Parameters
     ----------
@@ -45,35 +45,35 @@ def side_seen(own: str, side_shown: str) -> str:
     return "near" if own in ("", side_shown) else "far"
 
 
-def kind_and_side(name: str, side_shown: str) -> tuple[str, str]:
-    """Return a point's kind, for left and right alike, and what a photo shows of it.
+def kind_and_aspect(name: str, side_shown: str) -> tuple[str, str]:
+    """Return a point's kind, the same for left and right, and its aspect in a photo.
 
     Parameters
     ----------
     name : str
         One of `NAMES`.
     side_shown : str
-        As for :func:`side_seen`.
+        As for :func:`visible_aspect`.
 
     Returns
     -------
     kind : str
     side : str
-        As :func:`side_seen` gives it.
+        As :func:`visible_aspect` gives it.
     """
     own = next((side for side, marks in _MARKS.items() if name.startswith(marks[0]) or name.endswith(marks[1])), "")
     kind = name.removeprefix("l_").removeprefix("r_").removesuffix("_L").removesuffix("_R")
-    return kind, side_seen(own, side_shown)
+    return kind, visible_aspect(own, side_shown)
 
 
-def spread(name: str, side_shown: str) -> float:
-    """Return a point's expected error along one picture axis, share of the stature."""
-    kind, side = kind_and_side(name, side_shown)
+def point_sigma(name: str, side_shown: str) -> float:
+    """Return a point's standard deviation along one picture axis, share of the stature."""
+    kind, side = kind_and_aspect(name, side_shown)
     return SPREADS[side][kind]
 
 
-def stance(proposal: Proposal) -> tuple[Array, Array]:
-    """Return a photo's pose (33, 2) px and its visibility (33,), with the joints where they are seen under clothes.
+def combined_pose(proposal: Proposal) -> tuple[Array, Array]:
+    """Return a photo's pose (33, 2) px and its visibility (33,), with the joints that are seen under clothes.
 
     What the body hides in a side photo, its far side, is as visible as the pose says.
     """

@@ -1,4 +1,4 @@
-"""The generic human cut into what is drawn with one material each, seams split."""
+"""The generic human split by material, with seams split."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the tape lies on the generic human's topology."""
+"""Tape rules on the generic human's topology."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Closed toes: the skin of five toes laid over a shoe's tip is full of slivers; their places and normals are noise.
+"""Closed toes: smooth positions and normals for the skin of five toes inside a shoe's tip, which is full of slivers.
 
 What one sees of a shoe is its tip, not how skin came to cover it. Places and normals there are those of all surface
 a few millimetres around, by area, so that slivers hardly count; bare toes keep their own. Both are told apart by how
@@ -74,15 +74,15 @@ def closed_toe_normals(vertices_m: Array, normals: Array) -> Array:
         return normals
     own = rows[carried > _CARRIED]
     middles, face = _faces(vertices_m[triangles])
-    around_m2 = _near(vertices_m[own], middles, REACH_M) @ face
+    around_m2 = _kernel_weights(vertices_m[own], middles, REACH_M) @ face
     mixed = (1.0 - share) * normals[own] + share * _unit(around_m2, normals[own])
     smooth = normals.copy()
     smooth[own] = _unit(mixed, normals[own])
     return smooth
 
 
-def evened_tips(vertices_m: Array) -> Array:
-    """Return the generic human's (V, 3) places, metres, with the tips of shoes smooth; bare toes stay as they are.
+def smooth_shoe_tips(vertices_m: Array) -> Array:
+    """Return the generic human's positions (V, 3), metres, with smooth tips of shoes; bare toes are unchanged.
 
     Every vertex is laid on the plane through the surface around it, a few times over; what the tip loses by that
     at large is given back, so that it stays as long as photos showed it. Nothing sinks below the soles.
@@ -96,13 +96,13 @@ def evened_tips(vertices_m: Array) -> Array:
     laid = vertices_m.copy()
     for _ in range(LAID_ROUNDS):
         middles, face = _faces(laid[triangles])
-        pairs, area = _near(laid[own], middles, LAID_M), np.linalg.norm(face, axis=1)
+        pairs, area = _kernel_weights(laid[own], middles, LAID_M), np.linalg.norm(face, axis=1)
         normal = _unit(pairs @ face, np.zeros_like(laid[own]))
         seen = pairs @ np.column_stack([area[:, None] * middles, area])
         plane = seen[:, :3] / np.maximum(seen[:, 3:], 1e-15)
         laid[own] += moved * (normal * (plane - laid[own])).sum(axis=1, keepdims=True) * normal
     weight = np.bincount(triangles.ravel(), np.repeat(np.linalg.norm(face, axis=1), 3), len(laid))[own]
-    pairs = _near(laid[own], laid[own], BACK_M)
+    pairs = _kernel_weights(laid[own], laid[own], BACK_M)
     for _ in range(BACK_ROUNDS):
         lost = pairs @ (weight[:, None] * (vertices_m[own] - laid[own])) / np.maximum(pairs @ weight, 1e-15)[:, None]
         laid[own] += moved * lost
@@ -123,13 +123,13 @@ def _closed_share(vertices_m: Array) -> float:
 
 
 def _faces(corners_m: Array) -> tuple[Array, Array]:
-    """Return the middles (T, 3) of triangles with corners (T, 3, 3), and normals twice as long as their areas."""
+    """Return the centres (T, 3) of triangles with corners (T, 3, 3), and normals of twice their areas' length."""
     a, b, c = corners_m[:, 0], corners_m[:, 1], corners_m[:, 2]
     return (a + b + c) / 3.0, np.cross(b - a, c - a)
 
 
-def _near(points_m: Array, others_m: Array, reach_m: float) -> csr_matrix:
-    """Return (N, M) weights of other places, 1 at a point itself and 0 from ``reach_m`` on."""
+def _kernel_weights(points_m: Array, others_m: Array, reach_m: float) -> csr_matrix:
+    """Return weights (N, M) of other points, 1 at a point itself and 0 from ``reach_m`` on."""
     trees = cKDTree(points_m), cKDTree(others_m)
     apart = trees[0].sparse_distance_matrix(trees[1], reach_m, output_type="coo_matrix")
     apart.data = (1.0 - (apart.data / reach_m) ** 2) ** 2

@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.generic.face_grids import Grid, lips_apart
+from cloner.generic.face_grids import Grid, lip_gaps_m
 from cloner.generic.lip_steps import SHARE
 from cloner.records.arrays import Array
 
@@ -103,6 +103,6 @@ def _closed_within(grid: Grid, points: Array, least: float, most: float) -> Arra
     """Return the lips moved towards a light contact, with steps between two limits (closing is positive)."""
     out = points.copy()
     for _ in range(TURNS):
-        step = 0.5 * np.clip(lips_apart(grid, out) + PRESS_M, least, most)
+        step = 0.5 * np.clip(lip_gaps_m(grid, out) + PRESS_M, least, most)
         out[:, :, 1] += SHARE[:, None] * np.where(grid.upper, -step, np.where(grid.lower, step, 0.0))
     return out

@@ -1,1 +1,1 @@
-"""What follows an operator's points while they move: the body, the outline, the gaps."""
+"""Immediate response to an operator's points: the body, the outline, the distances."""

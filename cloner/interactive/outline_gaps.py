@@ -1,4 +1,4 @@
-"""How far the finished skin keeps from the photos' outlines, painted on to the skin itself."""
+"""Distance of the finished skin from the photos' outlines, as a colour map on the skin."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from scipy.spatial import cKDTree
 
-from cloner.editing.claims import scene_of
+from cloner.editing.claims import posed_photo
 from cloner.editing.places import generic_metric
 from cloner.frames import ViewId
 from cloner.generic.surfaces import body_triangles
@@ -32,7 +32,7 @@ _NEIGHBOURS: Final = 12
 def outline_gaps_mm(
     vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], outlines: Mapping[ViewId, Silhouette]
 ) -> Array:
-    """Return (V,) the distance between clone and photo outline nearby, mm; NaN where no body photo shows an outline.
+    """Return the distance (V,) between clone and photo outline nearby, mm; NaN where no body photo shows an outline.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def outline_gaps_mm(
     for view, posed in views.items():
         if not view.is_body or view not in outlines:
             continue
-        seen = scene_of(vertices_m, joints_m, posed)
+        seen = posed_photo(vertices_m, joints_m, posed)
         rim = np.unique(occluding_contour(generic_metric(), seen.posed_m, seen.pixels, seen.eye_m).edges)
         size = (posed.camera.height_px, posed.camera.width_px)
         border = np.concatenate([np.zeros((0, 2)), *borders_px(fill_triangles(seen.pixels, body_triangles(), size))])
@@ -63,7 +63,7 @@ def outline_gaps_mm(
 
 
 def _spread(vertices_m: Array, places_m: Array, values: Array) -> Array:
-    """Return the mean of values known at some places over the places near each vertex."""
+    """Return the mean near each vertex of values known at some points."""
     if len(places_m) < _NEIGHBOURS:
         return np.full(len(vertices_m), np.nan)
     distance, rows = cKDTree(places_m).query(vertices_m, k=_NEIGHBOURS, distance_upper_bound=_FARTHEST_M)

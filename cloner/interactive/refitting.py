@@ -1,7 +1,8 @@
-"""A moved point seen at once: the last run's values and new corrections give the new body, without nets or fit.
+"""Immediate refit after a moved point: the last run's values and new corrections give the new body, without nets or
+fit.
 
 What corrections change of the body is one step (``stages/obeyed.py``), the very one that the next whole run ends with;
-what they leave as it was, that run takes over (``still_true``).
+what they leave as it was, that run takes over (``reusable_values``).
 """
 
 from __future__ import annotations
@@ -14,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner import pipeline
-from cloner.editing.claims import scene_of
-from cloner.editing.face import show_face
+from cloner.editing.claims import posed_photo
+from cloner.editing.face import preview_face
 from cloner.frames import ViewId
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.outlines.rims import borders_px, fill_triangles
@@ -32,7 +33,7 @@ FITTED: Final = ("views", "silhouettes", "phenotype", "fine", "join")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Refitted:
+class RefittedBody:
     """The body after points were moved.
 
     Attributes
@@ -50,8 +51,8 @@ class Refitted:
     is_whole: bool
 
 
-def refit(values: Mapping[str, Any], corrections: Corrections) -> Refitted:
-    """Return the body with new corrections obeyed.
+def refit_body(values: Mapping[str, Any], corrections: Corrections) -> RefittedBody:
+    """Return the body with new corrections met.
 
     Parameters
     ----------
@@ -67,14 +68,14 @@ def refit(values: Mapping[str, Any], corrections: Corrections) -> Refitted:
     """
     body, face = moved_points(values, corrections)
     silhouettes: SilhouetteSet = values["silhouettes"]
-    head, on_face = show_face(values["joined"], values["face_points"], face)
+    head, on_face = preview_face(values["joined"], values["face_points"], face)
     person, told = obey(head, body, silhouettes)
     whole = same_fit(values["body_points"], body, silhouettes) and same_points(values["face_points"], face)
-    return Refitted(person, (*told, *on_face), whole)
+    return RefittedBody(person, (*told, *on_face), whole)
 
 
 def clone_after(values: Mapping[str, Any], person: Joined) -> Clone:
-    """Return the last run's clone with its skin moved as the refitted person's is; hair and textures stay."""
+    """Return the last run's clone with the refitted skin; hair and textures are kept."""
     clone: Clone = values["clone"]
     moved = person.vertices_m - values["obeyed"].vertices_m
     views = {**clone.views, **person.views}
@@ -82,17 +83,17 @@ def clone_after(values: Mapping[str, Any], person: Joined) -> Clone:
 
 
 def outline_px(person: Joined, view: ViewId) -> tuple[NDArray[np.float64], ...]:
-    """Return the (M, 2) closed borders of the person's skin as a photo shows it, photo pixels; none of a face photo."""
+    """Return the closed borders (M, 2) of the person's skin in a photo, px; none of a face photo."""
     posed = person.views.get(view)
     if posed is None or not view.is_body:
         return ()
-    seen = scene_of(person.vertices_m, person.joints_m, posed)
+    seen = posed_photo(person.vertices_m, person.joints_m, posed)
     size = (posed.camera.height_px, posed.camera.width_px)
     return borders_px(fill_triangles(seen.pixels, body_triangles(), size))
 
 
 def moved_points(values: Mapping[str, Any], corrections: Corrections) -> tuple[PointSet, PointSet]:
-    """Return the body's and the face's points of a run with other corrections on top."""
+    """Return a run's points of body and face with other corrections on top."""
     photos: PhotoSet = values["photos"]
     faces: PointSet = values["face_points"]
     own = {view: frozenset(_proposed(points).names) for view, points in faces.views.items()}
@@ -114,7 +115,7 @@ def _proposed(points: ViewPoints) -> ViewPoints:
 
 
 def same_fit(before: PointSet, after: PointSet, silhouettes: SilhouetteSet) -> bool:
-    """Return whether the fit of the whole body takes the same from both sets of points.
+    """Return whether the fit of the whole body would use the same points.
 
     Parameters
     ----------
@@ -132,7 +133,7 @@ def same_fit(before: PointSet, after: PointSet, silhouettes: SilhouetteSet) -> b
 
 
 def _same_trace(silhouette: Silhouette, before: ViewPoints, after: ViewPoints) -> bool:
-    """Return whether one photo's outline would be traced alike: far points stay, and no other becomes far."""
+    """Return whether one photo's outline would be traced alike: distant points stay, and none becomes distant."""
     far = set(missed_points(silhouette.contours_px, after))
     if not silhouette.through:
         return not far
@@ -143,7 +144,7 @@ def _same_trace(silhouette: Silhouette, before: ViewPoints, after: ViewPoints) -
 
 
 def same_points(before: PointSet, after: PointSet) -> bool:
-    """Return whether two sets hold the same points at the same places with the same confidence."""
+    """Return whether two sets hold the same points at the same positions with the same confidence."""
     return set(before.views) == set(after.views) and all(
         own.names == other.names
         and np.array_equal(own.points_px, other.points_px)
@@ -153,10 +154,10 @@ def same_points(before: PointSet, after: PointSet) -> bool:
     )
 
 
-def still_true(
+def reusable_values(
     known: Mapping[str, object], photos: PhotoSet, person: Person, corrections: Corrections
 ) -> dict[str, object]:
-    """Return those of an earlier run's values that a new run would find again.
+    """Return those values of an earlier run that a new run would produce again.
 
     Parameters
     ----------

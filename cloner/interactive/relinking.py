@@ -1,4 +1,4 @@
-"""An outline that follows an operator's points while they move: the product's own edge linking, a stretch at a time."""
+"""An outline that follows an operator's points while they move, by relinking a stretch at a time."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Contours = tuple[Array, ...]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LiveOutline:
-    """One photo's outline, ready to be linked again.
+    """One photo's outline, prepared for relinking.
 
     Attributes
     ----------
@@ -34,7 +34,9 @@ class LiveOutline:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Step:
-    """The outline after one more point: its name, its place (2,) px, and the contours through it and those before."""
+    """The outline after one more point: its name, its position (2,) px, and the contours through it
+    and those before.
+    """
 
     name: str
     place_px: tuple[float, float]
@@ -42,7 +44,7 @@ class Step:
 
 
 def live_outline(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> LiveOutline | None:
-    """Return a photo's outline ready to follow; None where no outline is found.
+    """Return a photo's outline prepared for relinking; None where no outline is found.
 
     Parameters
     ----------
@@ -60,8 +62,10 @@ def live_outline(photo: Photo, proposal: Proposal, points: ViewPoints | None) ->
         return None
 
 
-def follow(outline: LiveOutline, steps: tuple[Step, ...], corrections: Mapping[str, Correction]) -> tuple[Step, ...]:
-    """Return the steps that lead through all corrected outline points; the last one holds the outline.
+def follow_corrections(
+    outline: LiveOutline, steps: tuple[Step, ...], corrections: Mapping[str, Correction]
+) -> tuple[Step, ...]:
+    """Return the steps through all corrected outline points; the last one holds the outline.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""What stands between a clone's measures and those of the body below its clothes."""
+"""From a clone's measures to those of the body below its clothes."""

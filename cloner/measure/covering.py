@@ -1,4 +1,4 @@
-"""Which parts of the body cloth covers, by the labels of the photos.
+"""Parts of the body that cloth covers, by the labels of the photos.
 
 Sleeves and trousers end somewhere between their garment and the hand or foot.
 """
@@ -37,8 +37,8 @@ CLOTH_SHARE: Final = _CALIBRATED.number("cloth_share", "share")
 SKIN_SHARE: Final = _CALIBRATED.number("skin_share", "share")
 
 
-def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
-    """Return by segment whether cloth covers it; segments that no photo shows are missing.
+def find_covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
+    """Return whether cloth covers each segment; segments that no photo shows are missing.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
         The person's skin with every photo's camera and pose.
     """
     generic = load_generic()
-    bare = _bare(generic, proposals, joined)
+    bare = _bare_skin(generic, proposals, joined)
     if not np.isfinite(bare).any():
         return {}
     shares = {name: _slices(generic, name, bare) for name in generic.segment_names if name != "head"}
@@ -60,7 +60,7 @@ def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
         for side in ("left", "right"):
             names = (f"{side}_{near}", f"{side}_{distal}")
             row = np.concatenate([shares[name] for name in names])
-            covered = ending(row)
+            covered = covered_slices(row)
             clear = float(np.nanmean(np.abs(2.0 * row - 1.0))) if np.isfinite(row).any() else 0.0
             for place, name in enumerate(names):
                 told[name] = Cover(tuple(covered[place * SLICES : (place + 1) * SLICES]), min(clear, cloth))
@@ -72,7 +72,7 @@ def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
     return {name: cover for name, cover in told.items() if any(slice_ is not None for slice_ in cover.covered)}
 
 
-def ending(share: Array) -> list[bool | None]:
+def covered_slices(share: Array) -> list[bool | None]:
     """Return which slices of a limb are covered: cloth from its upper end to a hem, then skin, then perhaps a sock.
 
     Parameters
@@ -94,8 +94,8 @@ def ending(share: Array) -> list[bool | None]:
     return [not (first <= place < last and gain > 0.0) for place in range(count)]
 
 
-def _bare(generic: GenericHuman, proposals: Proposals, joined: Joined) -> Array:
-    """Return (V,) 1 where the body photo that sees a vertex best shows skin, 0 where it shows cloth; NaN unseen."""
+def _bare_skin(generic: GenericHuman, proposals: Proposals, joined: Joined) -> Array:
+    """Return 1 (V,) where the body photo with the best view of a vertex shows skin, 0 where cloth; NaN where unseen."""
     best, seen = np.zeros(len(joined.vertices_m)), np.full(len(joined.vertices_m), np.nan)
     for view, posed in joined.views.items():
         if view.is_face or view not in proposals.views:
@@ -110,7 +110,7 @@ def _bare(generic: GenericHuman, proposals: Proposals, joined: Joined) -> Array:
 def _seen_labels(
     generic: GenericHuman, labels: NDArray[np.uint8], joined: Joined, posed: PosedView
 ) -> tuple[NDArray[np.int64], Array, NDArray[np.uint8]]:
-    """Return the vertices that a photo sees well, the cosine of their slope and their labels, (N,) each."""
+    """Return the vertices that a photo sees well, their cosines and their labels, (N,) each."""
     transforms = joint_transforms(joined.joints_m, generic.joint_parents.astype(np.int32), posed.rotations)
     posed_m = linear_blend_skinning(
         joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)

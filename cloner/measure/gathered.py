@@ -1,4 +1,4 @@
-"""What photos tell of a clone's measures: the product's own, and what they are learned from."""
+"""Evidence of the photos about a clone's measures, for the product and for learning."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cloner.body.outlined import OutlinedPhoto, outline_distances_mm, posed_silh
 from cloner.frames import ViewId
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
-from cloner.measure.covering import covers
+from cloner.measure.covering import find_covers
 from cloner.measure.naked_girths import naked_girths
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
@@ -26,8 +26,8 @@ from cloner.records.silhouettes import SilhouetteSet
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Gathered:
-    """What the photos of one person tell of measures; K measures in the order of `ALL_KEYS`.
+class MeasureEvidence:
+    """Evidence of one person's photos about measures; K measures in the order of `ALL_KEYS`.
 
     Attributes
     ----------
@@ -56,14 +56,14 @@ class Gathered:
     under_mm: Array
 
 
-def gathered(
+def gather_measures(
     joined: Joined,
     mesh: BodyMesh,
     outlined: Mapping[ViewId, OutlinedPhoto],
     silhouettes: SilhouetteSet,
     proposals: Proposals,
-) -> Gathered:
-    """Return what photos tell of a clone's measures.
+) -> MeasureEvidence:
+    """Return the evidence of the photos about a clone's measures.
 
     Parameters
     ----------
@@ -79,8 +79,8 @@ def gathered(
     shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
     regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
     seen = {view: posed_silhouette(mesh, photo) for view, photo in outlined.items()}
-    cover = covers(proposals, joined)
-    return Gathered(
+    cover = find_covers(proposals, joined)
+    return MeasureEvidence(
         shown,
         cover,
         around_legs=any(region.name == AROUND_LEGS for region in regions),

@@ -1,4 +1,4 @@
-"""Girths of trunk, thighs and neck under clothes, from where the label net sees the body end below them."""
+"""Girths of trunk, thighs and neck under clothes, from the body edges that the label net sees."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ FARTHEST_ROWS: Final = _CALIBRATED.number("farthest_rows", "factor")
 
 def naked_girths(mesh: BodyMesh, shown_mm: Mapping[str, float], seen: Mapping[ViewId, PosedSilhouette],
                  proposals: Proposals) -> Array:  # fmt: skip
-    """Return (K,) girths of `ALL_KEYS` under clothes, mm: what the clone shows times the share that is the body's.
+    """Return girths (K,) of `ALL_KEYS` under clothes, mm: the clone's, times the body's share of its width.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def naked_girths(mesh: BodyMesh, shown_mm: Mapping[str, float], seen: Mapping[Vi
 
 
 def _widths(mesh: BodyMesh, own: PosedSilhouette, plane: Plane, edges: NDArray[np.float64], kind: int) -> Array | None:
-    """Return (2,) how wide the body and the clone are in a photo at a tape's level, mm; None where that is not seen."""
+    """Return the widths (2,) of body and clone in a photo at a tape's level, mm; None where that is not seen."""
     rows = edges[edges[:, 0] == kind]
     cut = slice_values(own.body.pixels, mesh.vertices_m, plane.triangles, plane.point_m, plane.normal)
     if len(rows) < 2 or len(cut) < 2:

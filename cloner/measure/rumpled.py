@@ -1,4 +1,4 @@
-"""How rumpled the clothes look at their outline: loose ones fold and end in steps, tight ones follow the body."""
+"""Rumple of the clothes' outline: loose ones fold and end in steps, tight ones follow the body."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def garments_rumples_mm(
         By segment; bare skin is left out.
     """
     generic = load_generic()
-    under_cloth = _under_cloth(covers)
+    under_cloth = _always_covered(covers)
     names = np.array([name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names])
     parts, heights = [], []
     for view, one in seen.items():
@@ -65,8 +65,8 @@ def garments_rumples_mm(
     return np.array([np.median(each) if len(each) * STEP_MM > LEAST_MM else np.nan for each in own])
 
 
-def _under_cloth(covers: Mapping[str, Cover]) -> NDArray[np.bool_]:
-    """Return (V,) where no photo shows bare skin."""
+def _always_covered(covers: Mapping[str, Cover]) -> NDArray[np.bool_]:
+    """Return where (V,) no photo shows bare skin."""
     generic = load_generic()
     covered = np.ones(len(generic.vertex_segment), dtype=bool)
     for row, name in enumerate(generic.segment_names):

@@ -1,4 +1,4 @@
-"""Where an arm hides the depth of the trunk in the side photo: its outline there is the arm's, not the back's."""
+"""Arms that cover the trunk's depth in the side photo."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ LEVELS: Final[Mapping[str, str | float]] = {
 
 
 def hidden_rows(vertices_m: Array, seen: Mapping[ViewId, PosedSilhouette]) -> NDArray[np.bool_]:
-    """Return (K,) which measures of `ALL_KEYS` go round the trunk where an arm hides its depth.
+    """Return which trunk measures (K,) of `ALL_KEYS` have their depth covered by an arm.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""What is told about a finished clone: ``report.json`` and ``report.html``."""
+"""Reports on a finished clone: ``report.json`` and ``report.html``."""

@@ -1,4 +1,4 @@
-"""How well the finished clone covers the person in every photo."""
+"""Overlap of the finished clone with the person in every photo."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
-class Agreement:
+class PhotoAgreement:
     """Clone against extracted silhouette in one photo.
 
     Attributes
@@ -40,7 +40,7 @@ class Agreement:
     size: float = 1.0
 
 
-def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreement]:
+def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, PhotoAgreement]:
     """Return the agreement of every photo that has a silhouette and a camera.
 
     Notes
@@ -56,26 +56,26 @@ def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreeme
                 layers = clone_layers(clone, posed.rotations if view.is_body else None)
                 yield posed, coverage(layers, posed.camera, supersample=1) > 0.5  # half a pixel's cover
 
-    def told(shown: tuple[PosedView, Mask]) -> tuple[ViewId, Agreement]:
+    def told(shown: tuple[PosedView, Mask]) -> tuple[ViewId, PhotoAgreement]:
         posed, own = shown
         return posed.view, _agreement(clone, posed, own, silhouettes.views[posed.view].mask)
 
     return dict(abreast(told, drawn()))
 
 
-def _agreement(clone: Clone, posed: PosedView, drawn: Mask, seen: Mask) -> Agreement:
+def _agreement(clone: Clone, posed: PosedView, drawn: Mask, seen: Mask) -> PhotoAgreement:
     """Return the agreement of one photo with the clone as its camera sees it."""
     row = _chin_row(clone, posed, seen.shape[0]) if posed.view.is_face else None
     return compare(drawn[:row], seen[:row], _mm_per_pixel(clone, posed))
 
 
-def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
+def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> PhotoAgreement:
     """Return the agreement of two masks of one size."""
     union = np.count_nonzero(drawn | seen)
     iou = np.count_nonzero(drawn & seen) / union if union else 0.0
     rms_px = _outline_rms_px(drawn, seen)
     size = float(np.sqrt(float(np.count_nonzero(drawn)) / max(float(np.count_nonzero(seen)), 1.0)))
-    return Agreement(float(iou), rms_px, rms_px * mm_per_px, size)
+    return PhotoAgreement(float(iou), rms_px, rms_px * mm_per_px, size)
 
 
 def _outline_rms_px(drawn: Mask, seen: Mask) -> float:

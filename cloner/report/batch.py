@@ -1,4 +1,4 @@
-"""The summary of a batch: for programs, for tables, and a sheet of pictures with the worst first."""
+"""Summary of a batch: JSON, CSV, and a sheet of pictures with the worst first."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def write_summary(rows: Sequence[BatchRow], wanted: int, out: Path, name: str = 
 
 
 def worst_first(rows: Sequence[BatchRow]) -> list[BatchRow]:
-    """Return failed visitors, then the others by how badly a clone covers one of its photos; unmeasured ones last."""
+    """Return failed visitors, then the others by their worst overlap in a photo; unmeasured ones last."""
     return sorted(rows, key=lambda row: (row.status != FAILED, row.worst_iou is None, row.worst_iou or 0.0))
 
 

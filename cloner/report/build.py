@@ -1,4 +1,4 @@
-"""Everything that is told about a clone, as plain JSON values."""
+"""The report of a clone as plain JSON values."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import ObeyedPoint, PointSet
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
-from cloner.report.agreement import Agreement
-from cloner.report.measures import measures_told
-from cloner.report.standing import standing
-from cloner.report.weak import grouped, weaknesses
+from cloner.report.agreement import PhotoAgreement
+from cloner.report.measures import measures_json
+from cloner.report.standing import pose_warnings
+from cloner.report.weak import group_warnings, photo_weaknesses
 from cloner.stages.measures import UNKNOWN_STATURE_M
 
 FORMAT: Final = 3  # 2: "measures_mm" instead of "girths_mm"
@@ -42,7 +42,7 @@ LIBRARIES: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """How a clone was made.
+    """Circumstances of a run.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Run:
 
 
 def build_report(
-    values: Mapping[str, Any], run: Run, seen: Mapping[ViewId, Agreement], files: Iterable[str] = ()
+    values: Mapping[str, Any], run: Run, seen: Mapping[ViewId, PhotoAgreement], files: Iterable[str] = ()
 ) -> dict[str, Any]:
     """Return the report of a finished clone as plain JSON values.
 
@@ -87,7 +87,7 @@ def build_report(
         "person": _person(person),
         "photos": {view: _photo(photo) for view, photo in photos.photos.items()},
         "stature": _stature(clone, person),
-        "measures_mm": measures_told(values["measures"]),
+        "measures_mm": measures_json(values["measures"]),
         "silhouette_iou": {view: round(found.iou, 4) for view, found in seen.items()},
         "outline_rms": {
             view: {"px": round(found.outline_rms_px, 2), "mm": round(found.outline_rms_mm, 2)}
@@ -106,14 +106,14 @@ def build_report(
         "files": sorted(files),
         "versions": versions(),
         "models": dict(model_digests()),
-        "warnings": list(grouped((*warnings_of(run), *_weak(values, seen)))),
+        "warnings": list(group_warnings((*warnings_of(run), *_weak(values, seen)))),
     }
 
 
-def _weak(values: Mapping[str, Any], seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
+def _weak(values: Mapping[str, Any], seen: Mapping[ViewId, PhotoAgreement]) -> tuple[str, ...]:
     """Return what is weak in the clone because of its photos."""
-    told = weaknesses(values["photos"], values["proposals"], seen)
-    return *told, *standing(values["clone"], values["proposals"])
+    told = photo_weaknesses(values["photos"], values["proposals"], seen)
+    return *told, *pose_warnings(values["clone"], values["proposals"])
 
 
 def warnings_of(run: Run) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""What is made of a clone, or of numbers alone, as a result: a folder like any clone's."""
+"""Results that are derived from a clone, or from numbers alone: a folder like any clone's."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def write_result(clone: Clone, folder: Path, title: str, formats: Sequence[str],
     write_report(dict(manifest) | {"outputs": output_digests(folder, files)}, folder)
 
 
-def manifest_of(clone: Clone, kind: str, options: Mapping[str, Any], source: Path | None) -> dict[str, Any]:
-    """Return the manifest; what was made of a clone belongs to its photos' visitor as the clone itself."""
+def make_manifest(clone: Clone, kind: str, options: Mapping[str, Any], source: Path | None) -> dict[str, Any]:
+    """Return the manifest; what derives from a clone belongs to the same visitor."""
     first = read_manifest(source if source.is_dir() else source.parent) if source is not None else None
     kept = {name: first.stamp.get(name, {}) for name in ("photos", "beside")} if first is not None else {}
     return {

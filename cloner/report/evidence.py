@@ -1,4 +1,4 @@
-"""What every photo says of the finished clone as a whole, and which photo is not believed.
+"""Contradictions between photos and the finished clone, and photos to leave out.
 
 The steps before look at points and outlines near by: a head laid on a profile at half its size has small residuals.
 Only the whole silhouette tells.
@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from cloner.frames import ViewId
-from cloner.report.agreement import Agreement
+from cloner.report.agreement import PhotoAgreement
 
 #: Photos that a clone can do without, and those of which one must stay.
 SPARE: Final = (ViewId.FACE_SIDE, ViewId.BODY_SIDE, ViewId.BODY_BACK)
@@ -29,8 +29,8 @@ UNLIKE: Final = (
 )
 
 
-def contradicted(seen: Mapping[ViewId, Agreement]) -> dict[ViewId, str]:
-    """Return the photos that the clone contradicts and that it can do without, each with what to tell.
+def contradicting_photos(seen: Mapping[ViewId, PhotoAgreement]) -> dict[ViewId, str]:
+    """Return the photos that the clone contradicts and that it can do without, each with a message.
 
     Parameters
     ----------
@@ -46,10 +46,10 @@ def contradicted(seen: Mapping[ViewId, Agreement]) -> dict[ViewId, str]:
     }
 
 
-def is_better(before: Mapping[ViewId, Agreement], after: Mapping[ViewId, Agreement]) -> bool:
-    """Return whether a clone made without some photos covers the others as well as before."""
+def is_better(before: Mapping[ViewId, PhotoAgreement], after: Mapping[ViewId, PhotoAgreement]) -> bool:
+    """Return whether a clone made without some photos covers the others at least as well."""
     return all(view in after and after[view].iou > found.iou - WORSE for view, found in before.items() if view.is_front)
 
 
-def _is_unlike(found: Agreement) -> bool:
+def _is_unlike(found: PhotoAgreement) -> bool:
     return found.iou < LEAST or abs(math.log(max(found.size, 1e-3))) > math.log(LARGEST_SIZE)

@@ -21,8 +21,8 @@ _PLACES: Final = {
 }  # fmt: skip
 
 
-def measures_told(measures: MeasureSet) -> dict[str, Any]:
-    """Return all measures with what covers the body."""
+def measures_json(measures: MeasureSet) -> dict[str, Any]:
+    """Return all measures, with what covers the body."""
     seen = bool(measures.upper_fit)
     return {
         "note": NOTE if seen else NO_BODY_NOTE,
@@ -54,7 +54,7 @@ def _cover(cover: Cover) -> dict[str, Any]:
 
 
 def clothes_words(measures: MeasureSet) -> tuple[str, ...]:
-    """Return sentences about the clothes: how they fit, and what is bare."""
+    """Return sentences about the clothes: their fit, and what is bare."""
     if not measures.upper_fit:
         return ()
     told = [
@@ -70,7 +70,7 @@ def clothes_words(measures: MeasureSet) -> tuple[str, ...]:
 
 
 def _taped_words(measures: MeasureSet) -> list[str]:
-    """Return what the difference between tape and outline says: cloth."""
+    """Return what the difference between tape and outline means: cloth."""
     cloth = [
         f"{kind.words.split(',')[0]} {measure.shown_mm - measure.value_mm:.0f} mm"
         for kind in MEASURES

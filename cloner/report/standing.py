@@ -1,4 +1,4 @@
-"""Whether the clone stands in its photos as the person does: the head's turn, and the arm beside the trunk."""
+"""Differences of pose between clone and person in the photos: the head's yaw, and the arm beside the trunk."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ _VISIBLE: Final = 0.5
 _STRAIGHT: Final[Mapping[ViewId, float]] = {ViewId.FACE_FRONT: 0.0, ViewId.FACE_SIDE: 90.0}
 
 
-def standing(clone: Clone, proposals: Proposals) -> tuple[str, ...]:
-    """Return sentences about photos in which the clone stands otherwise than the person."""
+def pose_warnings(clone: Clone, proposals: Proposals) -> tuple[str, ...]:
+    """Return sentences about photos in which the clone's pose differs from the person's."""
     told = [*_turned(clone)]
     side = clone.views.get(ViewId.BODY_SIDE)
     if side is not None and ViewId.BODY_SIDE in proposals.views:
@@ -46,7 +46,7 @@ def _turned(clone: Clone) -> Iterator[str]:
 
 
 def azimuth_degrees(posed: PosedView) -> float:
-    """Return where a camera stands around a person, degrees: 0 in front, 90 at the person's left."""
+    """Return a camera's azimuth around a person, degrees: 0 in front, 90 at the person's left."""
     towards = -np.asarray(posed.camera.camera_from_model)[2, :3]
     return math.degrees(math.atan2(float(towards[0]), float(towards[2])))
 

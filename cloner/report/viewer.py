@@ -1,4 +1,4 @@
-"""A page that turns the clone in any browser, from the disk and without a network."""
+"""A page that shows the clone in any browser, from the disk and without a network."""
 
 from __future__ import annotations
 

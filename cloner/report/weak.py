@@ -1,4 +1,4 @@
-"""What is weak in a clone because of its photos, in plain words."""
+"""Weaknesses of a clone that come from its photos, in plain words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from cloner.frames import ViewId
 from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
-from cloner.report.agreement import Agreement
+from cloner.report.agreement import PhotoAgreement
 from cloner.vision.retouching.open_mouth import open_lip_borders
 
 #: Face-mesh points: outer eye corners, inner edges of the lips, mouth corners (numbering of Google's face mesh).
@@ -27,7 +27,7 @@ LEAST_OVERLAP: Final = 0.90
 LEAST_HEAD_OVERLAP: Final = 0.80
 
 
-def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
+def photo_weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, PhotoAgreement]) -> tuple[str, ...]:
     """Return sentences about what the photos could not give.
 
     Parameters
@@ -48,7 +48,7 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
     face = proposals.views.get(ViewId.FACE_FRONT)
     if face is not None and face.face_presence > 0.0:
         told += _face(face)
-        told += _worn(read_states({face.view: face.labels}, face.face_px))
+        told += _covered_face(read_states({face.view: face.labels}, face.face_px))
     for view, found in seen.items():
         if view.is_body and found.iou < LEAST_OVERLAP:
             told.append(f"{view}: the clone covers the person's outline only to {100 * found.iou:.0f} percent")
@@ -57,8 +57,8 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
     return tuple(told)
 
 
-def _worn(states: frozenset[State]) -> list[str]:
-    """Return sentences about what hides the face or the hair."""
+def _covered_face(states: frozenset[State]) -> list[str]:
+    """Return sentences about what covers the face or the hair."""
     told = []
     if State.GLASSES in states:
         told.append(
@@ -77,8 +77,8 @@ def _worn(states: frozenset[State]) -> list[str]:
     return told
 
 
-def grouped(warnings: Iterable[str]) -> tuple[str, ...]:
-    """Return warnings once each, in order; what is said of several photos ("view: text") is said once of them all."""
+def group_warnings(warnings: Iterable[str]) -> tuple[str, ...]:
+    """Return warnings once each, in order; those of several photos ("view: text") are merged."""
     views: dict[str, list[str]] = {}
     for warning in warnings:
         view, found, text = warning.partition(": ")

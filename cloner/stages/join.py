@@ -25,7 +25,7 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
 from cloner.generic.features import named_features
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.toes import evened_tips
+from cloner.generic.toes import smooth_shoe_tips
 from cloner.hair.volumes.agreement import hair_fields
 from cloner.head.jaw import jaw_opening_rad, jaw_rotations, with_open_jaw
 from cloner.head.modes import load_head_modes
@@ -168,7 +168,7 @@ def run(
     ]
     place = np.searchsorted(generic.head_vertices, border)
     apart = np.linalg.norm(head.vertices_m[place] - body.mesh.vertices_m[border], axis=1)
-    vertices = evened_tips(flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m))
+    vertices = smooth_shoe_tips(flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m))
     mesh, risen = to_stature(generic, BodyMesh(vertices, body.mesh.joints_m), phenotype.stature_m)
     outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     seen = {view: points_for_fit(points) for view, points in body_points.views.items()}

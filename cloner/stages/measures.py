@@ -17,7 +17,7 @@ from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
 from cloner.geometry.measurement.prior import MeasurePrior
 from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, BodyEstimate, OutlineMeasures, estimate_body
-from cloner.measure.gathered import gathered
+from cloner.measure.gathered import gather_measures
 from cloner.records.arrays import Array
 from cloner.records.bodies import FineBody, Phenotype
 from cloner.records.clones import Joined
@@ -145,7 +145,7 @@ def run(
         shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
         return StageResult({"measures": measures_of_mesh(shown)})
     tick(0.4)
-    told = gathered(joined, body.mesh, outlined, silhouettes, proposals)
+    told = gather_measures(joined, body.mesh, outlined, silhouettes, proposals)
     tick(0.7)
     hidden_keys = LOOSE_KEYS if told.around_legs else frozenset()
     found, warnings = estimate_measures(

@@ -15,10 +15,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from cloner.detectors.body.body_points import ENDS
-from cloner.editing.claims import scene_of
+from cloner.editing.claims import posed_photo
 from cloner.editing.pose import obey_pose
 from cloner.editing.skin import obey_skin
-from cloner.editing.wishes import Wish
+from cloner.editing.wishes import PointConstraint
 from cloner.frames import ViewId
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
@@ -59,10 +59,10 @@ def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) ->
         return joined, ()
     views = {view: posed for view, posed in joined.views.items() if view.is_body}
     scales = [_stature_message(joined, views[view], name, point) for view, name, point in placed if name in ENDS]
-    outlines = [Wish(*one) for one in placed if one[1] not in ENDS and _is_on_outline(one[1])]
+    outlines = [PointConstraint(*one) for one in placed if one[1] not in ENDS and _is_on_outline(one[1])]
     on_skin = [wish for wish in outlines if not _is_on_cloth(silhouettes.views.get(wish.view), wish.target_px)]
     cloths = [ObeyedPoint(w.view, w.name, "cloth", 0.0, 0.0) for w in outlines if w not in on_skin]
-    on_pose = [Wish(*one) for one in placed if one[1] not in ENDS and _is_pose_point(one[1])]
+    on_pose = [PointConstraint(*one) for one in placed if one[1] not in ENDS and _is_pose_point(one[1])]
     joints, views, poses = obey_pose(joined.vertices_m, joined.joints_m, views, on_pose)
     vertices, skins = obey_skin(joined.vertices_m, joints, views, on_skin, joined.stature_m)
     vertices = vertices.copy()
@@ -92,7 +92,7 @@ def _stature_message(joined: Joined, posed: PosedView, name: str, point_px: Arra
     """Return the message for a head top or sole: how much higher or lower the person's own is in the photo."""
     generic = load_generic()
     part = "head" if name == ENDS[0] else f"{name.removeprefix('sole_')}_foot"
-    own = scene_of(joined.vertices_m, joined.joints_m, posed).pixels[generic.segment(part), 1]
+    own = posed_photo(joined.vertices_m, joined.joints_m, posed).pixels[generic.segment(part), 1]
     edge = float(own.min() - 0.5 if name == ENDS[0] else own.max() + 0.5)
     away = abs(edge - float(point_px[1]))
     return ObeyedPoint(posed.view, name, "scale", away, away, 0.0, SCALE_NOTE)

@@ -16,7 +16,7 @@ from cloner.detectors.table import DETECTORS
 from cloner.detectors.taught import propagate_corrections
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.generic.seen_points import stance
+from cloner.generic.seen_points import combined_pose
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import (
@@ -201,7 +201,7 @@ def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
     body = check_bones(body, {view: figure_height_px(points) for view, points in body.items()})
     if shows_crotch(body):
         return body
-    loose = find_loose({v: (p.mask > EDGE_LEVEL, *stance(p)) for v, p in shown.items()})
+    loose = find_loose({v: (p.mask > EDGE_LEVEL, *combined_pose(p)) for v, p in shown.items()})
     return body | {view: without_cloth_points(body[view], regions) for view, regions in loose.items()}
 
 

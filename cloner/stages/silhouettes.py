@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from cloner.abreast import abreast
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.generic.seen_points import stance
+from cloner.generic.seen_points import combined_pose
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, ViewPoints
@@ -113,7 +113,7 @@ def run(
         linked = [source == "edges" for _, source, _ in views[view].sources]
         residuals.append(Residual("outline on edges", 100.0 * float(np.mean(linked or [False])), "percent", view.value))
         tick(len(views) / len(proposals.views))
-    shown = {v: (s.mask, *stance(proposals.views[v])) for v, s in views.items()}
+    shown = {v: (s.mask, *combined_pose(proposals.views[v])) for v, s in views.items()}
     loose = {} if shows_crotch(body_points.views) else find_loose(shown)
     views |= {view: with_cloth(views[view], regions) for view, regions in loose.items()}
     return StageResult({"silhouettes": SilhouetteSet(views)}, tuple(residuals))

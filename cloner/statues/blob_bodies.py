@@ -25,7 +25,7 @@ from cloner.project.atomic import result_folder, safe_output
 from cloner.project.folder import safe_identifier
 from cloner.project.stamps import stamp_text
 from cloner.records.clones import Clone
-from cloner.report.derived import manifest_of, write_result
+from cloner.report.derived import make_manifest, write_result
 from cloner.statues.blobs import Blob, field_of, read_blobs, written_blobs
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.envelope import Envelope, enveloped
@@ -114,7 +114,7 @@ def blob_folder(
         made = statue_of(made, material) if material else made
         progress("export", 0.6)
         options = {"blobs": len(told), "material": material}
-        write_result(made, folder, f"Body {name}", formats, manifest_of(made, "body of blobs", options, onto))
+        write_result(made, folder, f"Body {name}", formats, make_manifest(made, "body of blobs", options, onto))
     progress("done", 1.0)
     off = 1000.0 * np.abs(found.off_m[np.isfinite(found.off_m)])
     lines = [f"{len(told)} blobs: the skin lies {off.mean():.1f} mm from their surface on average"]

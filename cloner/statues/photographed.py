@@ -31,7 +31,7 @@ from cloner.project.stamps import output_digests, stamp_text
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.meshes import Mesh
-from cloner.report.derived import FORMAT, manifest_of, write_result
+from cloner.report.derived import FORMAT, make_manifest, write_result
 from cloner.report.write import write_report
 from cloner.stages.join import eye_joints
 from cloner.statues.carved import check_material, statue_of
@@ -179,7 +179,7 @@ def _made(clone: Clone, fitted: PhotoFit, material: str, photo: Path, source: Pa
 
 def _manifest(made: Clone, material: str, source: Path | None, photo: Path, picture: Picture) -> dict[str, Any]:
     """Return the manifest of a clone, with the photo that lies on it."""
-    manifest = manifest_of(made, "photo on a mesh", {"material": material}, source)
+    manifest = make_manifest(made, "photo on a mesh", {"material": material}, source)
     manifest["stamp"]["photos"] = {**manifest["stamp"]["photos"], "photo": picture.digest}
     manifest["source"] = manifest["source"] or place_digest(photo.parent)
     return manifest

@@ -12,7 +12,7 @@ from cloner.errors import ClonerError
 from cloner.motion.flesh.rest import hanging_pose, in_pose
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import aim_limb, follow
 from cloner.records.arrays import Array
@@ -38,7 +38,7 @@ def standing(clone: Clone, pose: str) -> Clone:
         If the pose is not known.
     """
     check_pose(pose)
-    return clone if pose == REST else in_pose(clone, _rotations(body_of(centred(clone)), ARMS[pose]))
+    return clone if pose == REST else in_pose(clone, _rotations(body_of(centre_joints(clone)), ARMS[pose]))
 
 
 def check_pose(pose: str) -> None:
@@ -52,8 +52,8 @@ def _rotations(body: Body, arms: Mapping[str, tuple[float, float]]) -> Array:
     world = turns.world_from_local(hanging_pose(body)[None], body.parents)
     for side in SIDES:
         if any(arms[side]):
-            out = turns.about(2, np.array([body.arm_aside(side)]))
+            out = turns.rotations_about(2, np.array([body.arm_aside(side)]))
             for name, degrees in zip(("shoulder", "elbow"), arms[side], strict=True):
-                aim_limb(body, world, side, name, turns.about(0, np.array([-np.radians(degrees)])) @ out)
+                aim_limb(body, world, side, name, turns.rotations_about(0, np.array([-np.radians(degrees)])) @ out)
             follow(body, world, side)
     return np.asarray(shared_twist(body, turns.local_from_world(world, body.parents))[0])

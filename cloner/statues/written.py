@@ -10,7 +10,7 @@ from cloner.picture import clone_of, folder_name
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
-from cloner.report.derived import manifest_of, write_result
+from cloner.report.derived import make_manifest, write_result
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.poses import REST, check_pose, standing
 
@@ -59,6 +59,6 @@ def statue_folder(
         statue = standing(statue_of(clone, material), pose)
         progress("export", 0.6)
         options = {"material": material, "pose": pose}
-        write_result(statue, folder, f"Statue {name}", formats, manifest_of(statue, "statue", options, clone_path))
+        write_result(statue, folder, f"Statue {name}", formats, make_manifest(statue, "statue", options, clone_path))
     progress("done", 1.0)
     return out / name

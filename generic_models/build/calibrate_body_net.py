@@ -29,9 +29,9 @@ from cloner.detectors.nets import litert
 from cloner.evaluate.measures.posing import JOINTS
 from cloner.evaluate.measures.rulers import fit_similarity
 from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit, side_shown
-from cloner.generic.body_net import LANDMARKS, SIDES, base_place
+from cloner.generic.body_net import LANDMARKS, SIDES, base_position
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.seen_points import side_seen
+from cloner.generic.seen_points import visible_aspect
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 from cloner.records.views import Camera
 
@@ -94,7 +94,7 @@ def painted(shot: Shot, body: RandomBody, direction: str, generic: GenericHuman)
             return np.asarray(transforms[generic.joint(base), :3, :3])
         return np.asarray(blended[generic.feature(base), :, :3])
 
-    bases = {base: (base_place(generic, base, shot.naked_m, shot.joints_m), turn(base)) for base in BASES}
+    bases = {base: (base_position(generic, base, shot.naked_m, shot.joints_m), turn(base)) for base in BASES}
     return Photographed(shot.rgb, shot.camera, direction, body.stature_m, bases)
 
 
@@ -130,7 +130,7 @@ def findings(photo: Photographed) -> Iterator[Found]:
             mirrored = (photo.direction == "right") if middle else not left
             yield Found(
                 row,
-                side_seen("" if middle else "left" if left else "right", photo.direction),
+                visible_aspect("" if middle else "left" if left else "right", photo.direction),
                 sight * MIRROR if mirrored else sight,
                 error,
             )

@@ -17,7 +17,7 @@ from cloner.evaluate.measures.posing import JOINTS
 from cloner.evaluate.truths.kit import kit_people, read_kit, side_shown
 from cloner.frames import BODY_VIEWS
 from cloner.generic.body_net import SIDES
-from cloner.generic.seen_points import NAMES, kind_and_side
+from cloner.generic.seen_points import NAMES, kind_and_aspect
 from cloner.project.folder import load_photos
 from cloner.stages.figures import find_figure
 
@@ -39,7 +39,7 @@ def main() -> None:
             for name, point in zip(NAMES, find_figure(photo).seen_px, strict=True):
                 true = seen[TRUE_NAMES.get(name, name)]
                 away = np.linalg.norm(point - camera.project(true[None])[0]) * camera.metres_per_pixel(true)
-                kind, side = kind_and_side(name, shown)
+                kind, side = kind_and_aspect(name, shown)
                 far[side, kind].append(away / truth.stature_m)
     for side in SIDES:
         own = {kind: np.median(away) / 1.1774 for (at, kind), away in far.items() if at == side}

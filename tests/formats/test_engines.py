@@ -14,7 +14,7 @@ import pytest
 import trimesh
 
 from cloner.exporters.avatars.engines import export_unity, export_unreal
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from kit import readers
 from kit.clones import toy_clone
 
@@ -53,7 +53,7 @@ def test_unreal_finds_its_mannequin_in_the_a_pose_of_the_photos(files) -> None:
     for above, bone in UNREAL.items():
         assert bone in below[above], f"{bone} hangs below {above}"
     graph = trimesh.load(files["unreal"], force="scene").graph
-    clone = centred(toy_clone(1.64))
+    clone = centre_joints(toy_clone(1.64))
     wrist = graph["hand_l"][0][:3, 3]
     assert np.linalg.norm(clone.joints_m - wrist, axis=1).min() < 1e-4, "joints stay where the clone has them"
 

@@ -21,7 +21,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.bending import flesh
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.records.clones import Clone
 from kit.clones import RED_LEFT_HAND, toy_clone
 from kit.compare_clones import snapshot
@@ -129,10 +129,10 @@ def test_the_skeleton_is_h_anim(gltf, clone):
 
     walk(gltf.scenes[0].nodes[0], np.zeros(3))
     found = np.array([world[name] for name in generic.joint_names])
-    assert np.abs(found - centred(clone).joints_m).max() < 1e-6
+    assert np.abs(found - centre_joints(clone).joints_m).max() < 1e-6
     # stored by columns: the last row holds the offset
     inverse = _read(gltf, gltf.skins[0].inverseBindMatrices).reshape(-1, 4, 4)
-    assert np.abs(inverse[:, 3, :3] + centred(clone).joints_m).max() < 1e-6
+    assert np.abs(inverse[:, 3, :3] + centre_joints(clone).joints_m).max() < 1e-6
 
 
 def test_at_most_four_influences_that_sum_to_one(gltf):
@@ -152,7 +152,7 @@ def test_skinning_the_file_gives_the_same_pose_as_our_own(gltf, clone):
     rotations = np.zeros((94, 3))
     rotations[generic.joint("l_elbow")] = [0.0, 1.0, 0.2]
     rotations[generic.joint("vl1")] = [0.3, 0.0, 0.0]
-    transforms = joint_transforms(centred(clone).joints_m, generic.joint_parents, rotations)
+    transforms = joint_transforms(centre_joints(clone).joints_m, generic.joint_parents, rotations)
     wanted = linear_blend_skinning(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
     body = gltf.meshes[0].primitives[0].attributes
     inverse = _read(gltf, gltf.skins[0].inverseBindMatrices).reshape(-1, 4, 4).transpose(0, 2, 1)
@@ -253,7 +253,7 @@ def test_the_file_s_own_walk_keeps_the_flesh_of_the_knee(gltf, clone):
     names = gltf.meshes[0].extras["targetNames"]
     weights = _read(gltf, walk.samplers[channel.sampler].output).reshape(-1, len(names))
     frame = int(weights[:, names.index("corrective_l_knee_bent_50")].argmax())
-    body, primitive = body_of(centred(clone)), gltf.meshes[0].primitives[0]
+    body, primitive = body_of(centre_joints(clone)), gltf.meshes[0].primitives[0]
     world = np.tile(np.eye(4), (len(body.names), 1, 1))
     for joint, (name, parent) in enumerate(zip(body.names, body.parents, strict=True)):
         node = next(number for number, node in enumerate(gltf.nodes) if node.name == name)

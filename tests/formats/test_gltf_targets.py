@@ -11,13 +11,13 @@ from cloner.exporters.gltf.gltf_targets import SMALLEST_TURN, normal_turns
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from kit.clones import toy_clone
 
 
 @pytest.fixture(scope="module")
 def clone():
-    return centred(toy_clone(1.64))
+    return centre_joints(toy_clone(1.64))
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from cloner.exporters.vrml import vrml97, vrml_hanim, x3d
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.motion.flesh.rest import hanging_pose, in_hanging_pose
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from kit.clones import toy_clone
 
@@ -41,7 +41,7 @@ def places() -> dict[str, np.ndarray]:
 
 @pytest.fixture(scope="module")
 def clone():
-    return centred(toy_clone(1.64))
+    return centre_joints(toy_clone(1.64))
 
 
 def test_all_points_of_the_standard_have_a_site_and_each_another_vertex(places) -> None:

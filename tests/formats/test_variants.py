@@ -28,8 +28,8 @@ from cloner.geometry.articulation.skinning import joint_transforms, linear_blend
 from cloner.geometry.meshes.wedges import welded_normals
 from cloner.motion.flesh.rest import in_t_pose
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
-from cloner.motion.limbs.turns import places, world_from_local
+from cloner.motion.limbs.rig import centre_joints
+from cloner.motion.limbs.turns import joint_positions, world_from_local
 from cloner.motion.moves.gait import idle, walk
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
@@ -46,7 +46,7 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 @pytest.fixture(scope="module")
 def clone() -> Clone:
-    return centred(toy_clone(1.64))
+    return centre_joints(toy_clone(1.64))
 
 
 @pytest.fixture(scope="module")
@@ -162,7 +162,7 @@ def test_mixamo_bones_carry_the_same_walk(clone: Clone) -> None:
     assert weights.min() >= 0.0
     rotations, frame = bones.rotations(motion), 8
     world = world_from_local(rotations, bones.parents)
-    where = places(world, posed.joints_m[bones.joints], bones.parents, motion.root_m)
+    where = joint_positions(world, posed.joints_m[bones.joints], bones.parents, motion.root_m)
     assert np.abs(where - body.places(motion)[:, bones.joints]).max() < 0.025
     all_joints = joint_transforms(posed.joints_m, GENERIC.joint_parents, motion.rotations[frame])
     wanted = linear_blend_skinning(

@@ -18,7 +18,7 @@ from cloner.exporters.vrml.vrml_hanim import export
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.motion.flesh.rest import in_hanging_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.records.clones import Clone
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot
@@ -71,7 +71,7 @@ def test_coin_sees_all_triangles_in_metres_on_the_floor(wrl, clone):
     # pieces repeat a ring of the pieces above, so that bent joints stay closed
     assert everything <= found["triangles"] < 1.2 * everything
     assert found["low"][1] == pytest.approx(0.0, abs=0.002)
-    posed = in_hanging_pose(centred(clone))
+    posed = in_hanging_pose(centre_joints(clone))
     assert found["high"][1] == pytest.approx(posed.shells[0].vertices_m[:, 1].max(), abs=1e-4)
     assert found["high"][2] == pytest.approx(posed.vertices_m[:, 2].max(), abs=1e-4), "it faces +Z"
     assert found["high"][0] < 0.8 * clone.vertices_m[:, 0].max(), "arms hang, as H-Anim has them at rest"
@@ -132,7 +132,7 @@ def test_the_walk_is_played_by_routes_that_come_last(wrl):
 def test_joint_centres_and_sites_are_where_the_clone_has_them(wrl, clone):
     text = wrl.read_text()
     elbow = re.search(r'name "l_elbow" center (\S+) (\S+) (\S+)', text)
-    posed = in_hanging_pose(centred(clone))
+    posed = in_hanging_pose(centre_joints(clone))
     wanted = posed.joints_m[load_generic().joint("l_elbow")]
     assert np.array(elbow.groups(), dtype=float) == pytest.approx(wanted, abs=1e-5)
     assert wanted[0] > 0.1

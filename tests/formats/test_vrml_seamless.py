@@ -14,7 +14,7 @@ from cloner.exporters.vrml.vrml97 import export
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 from formats.test_vrml import READER, SYSTEM_PYTHON, needs_coin
@@ -45,7 +45,7 @@ def pictures(text: str, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 def test_every_picture_is_the_skin_that_the_joints_bend(wrl, clone) -> None:
     """Skinned here, by the library's linear blending: the first and a middle picture of the walk, within 1 mm."""
-    generic, own = load_generic(), centred(clone)
+    generic, own = load_generic(), centre_joints(clone)
     motion = own_motions(own)[0]
     keys, points = pictures(wrl.read_text(), "walk_skin_0")
     body = np.unique(load_surfaces()[0].vertex)

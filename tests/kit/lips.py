@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.generic.face_grids import lips_apart, mouth_grid
+from cloner.generic.face_grids import lip_gaps_m, mouth_grid
 from cloner.generic.morphs import target_offsets
 from cloner.motion.face import speech
 from cloner.motion.face.limits import limited
@@ -30,7 +30,7 @@ def closed(clone: Clone, shares: np.ndarray, phonemes: list[tuple[str, float]]) 
             gaps = []
             for frame in frames:
                 shape = rest + sum(values[frame] * moves[name] for name, values in weights.items() if name in moves)
-                gaps.append(lips_apart(grid, shape)[middle].max())
+                gaps.append(lip_gaps_m(grid, shape)[middle].max())
             found.append(min(gaps) < CLOSED_M)
         start = end
     return found

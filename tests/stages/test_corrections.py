@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from cloner.editing.face import show_face
+from cloner.editing.face import preview_face
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.outlines.rims import triangle_normals
@@ -268,7 +268,7 @@ def test_a_dragged_face_point_is_shown_at_once_and_the_face_around_follows():
     before = ViewPoints(close, ("eye_outer_L", "mouth_corner_R"), start, np.ones(2), np.zeros(2, bool))
     dragged_px = start + [[9.0, -4.0], [0.0, 0.0]]
     after = ViewPoints(close, before.names, dragged_px, np.ones(2), np.array([True, False]), before)
-    bent, told = show_face(person, PointSet({close: before}), PointSet({close: after}))
+    bent, told = preview_face(person, PointSet({close: before}), PointSet({close: after}))
     generic = load_generic()
     seen = camera.project(bent.vertices_m[[generic.feature("eye_outer_L"), generic.feature("mouth_corner_R")]])
     assert np.linalg.norm(seen[0] - dragged_px[0]) <= 1.0
@@ -277,6 +277,6 @@ def test_a_dragged_face_point_is_shown_at_once_and_the_face_around_follows():
     beside = np.linalg.norm(person.vertices_m - eye, axis=1) > 0.06
     assert moved_mm[beside].max() <= 2.0
     assert [one.kind for one in told] == ["face"]
-    again, nothing = show_face(person, PointSet({close: after}), PointSet({close: after}))
+    again, nothing = preview_face(person, PointSet({close: after}), PointSet({close: after}))
     assert again is person, "what the last run has fitted already is not bent again"
     assert nothing == ()

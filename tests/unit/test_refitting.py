@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.interactive.refitting import moved_points, still_true
+from cloner.interactive.refitting import moved_points, reusable_values
 from cloner.pipeline import STAGES
 from cloner.project.corrections import move_point, no_corrections
 from cloner.records.photos import Person, Photo, PhotoSet
@@ -56,7 +56,7 @@ def corrected(name: str, x_px: float, y_px: float) -> Corrections:
 
 
 def kept(known: dict[str, Any], corrections: Corrections, person: Person = PERSON, digest: str = "a") -> set[str]:
-    return set(still_true(known, photos(body_front=digest), person, corrections))
+    return set(reusable_values(known, photos(body_front=digest), person, corrections))
 
 
 def test_other_photos_keep_nothing(known: dict[str, Any]) -> None:
@@ -66,7 +66,7 @@ def test_other_photos_keep_nothing(known: dict[str, Any]) -> None:
 
 def test_proposals_alone_are_kept_from_a_run_that_only_proposed(known: dict[str, Any]) -> None:
     first = {"photos": known["photos"], "proposals": "found"}
-    assert still_true(first, photos(body_front="a"), PERSON, no_corrections()) == {"proposals": "found"}
+    assert reusable_values(first, photos(body_front="a"), PERSON, no_corrections()) == {"proposals": "found"}
 
 
 def test_nothing_moved_keeps_all_but_the_painted_clone(known: dict[str, Any]) -> None:

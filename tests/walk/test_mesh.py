@@ -11,7 +11,7 @@ from cloner.geometry.articulation.skinning import joint_transforms, linear_blend
 from cloner.geometry.meshes.triangles import areas, edges_of
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 
 pytestmark = pytest.mark.slow
 
@@ -27,7 +27,7 @@ def sitting() -> np.ndarray:
 
 
 def test_sitting_down_folds_no_skin_deep_into_the_body(cloned_anna: CloneOutcome) -> None:
-    generic, clone = load_generic(), centred(cloned_anna.values["clone"])
+    generic, clone = load_generic(), centre_joints(cloned_anna.values["clone"])
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), sitting())
     points = linear_blend_skinning(
         clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
@@ -39,7 +39,7 @@ def test_sitting_down_folds_no_skin_deep_into_the_body(cloned_anna: CloneOutcome
 
 @pytest.mark.parametrize("pose", ["rest", "T"])
 def test_skin_stays_out_of_skin(cloned_anna: CloneOutcome, pose: str) -> None:
-    generic, clone = load_generic(), centred(cloned_anna.values["clone"])
+    generic, clone = load_generic(), centre_joints(cloned_anna.values["clone"])
     rotations = np.zeros((94, 3)) if pose == "rest" else t_pose(body_of(clone))
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
     points = linear_blend_skinning(

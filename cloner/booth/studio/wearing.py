@@ -18,7 +18,7 @@ from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.moving import SETTLE
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.cloth.written import clean_up, write_dressed
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
 from cloner.records.arrays import Array
@@ -106,7 +106,7 @@ class Wearing:
             progress("body", 0.0)
             clone = clone_of(outfit.clone)
             below = undressed_clone(clone, sex_of(clone)) if outfit.bare else clone
-            self._below, self._dressing, self._dressed = (key, below, centred(below)), None, {}
+            self._below, self._dressing, self._dressed = (key, below, centre_joints(below)), None, {}
         return self._below[1]
 
     def _arranged(self, outfit: Outfit, progress: Progress) -> tuple[Dressing, Pattern]:

@@ -24,7 +24,7 @@ from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, body_of
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.acts import ACTS
-from cloner.motion.moves.contact import grounded
+from cloner.motion.moves.contact import on_ground
 from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.gait import aim_limb, follow, idle, stands_at, upright, walk
 from cloner.motion.moves.planting import planted
@@ -137,18 +137,18 @@ def sitting(body: Body) -> Motion:
     Feet are as far apart as in standing: who sits down or gets up moves neither.
     """
     still = np.tile(np.eye(3), (2, 1, 1))
-    world = upright(body, still, turns.about(0, np.full(2, 0.06)))
+    world = upright(body, still, turns.rotations_about(0, np.full(2, 0.06)))
     for side in SIDES:
-        aim_limb(body, world, side, "hip", turns.about(0, np.full(2, -1.5)))
+        aim_limb(body, world, side, "hip", turns.rotations_about(0, np.full(2, -1.5)))
         aim_limb(body, world, side, "knee", still)
         for joint in ("ankle", "subtalar", "midtarsal", "metatarsal"):
             world[:, body.joint(f"{side}_{joint}")] = still
-        out = turns.about(2, np.full(2, body.arm_aside(side)))
-        aim_limb(body, world, side, "shoulder", out @ turns.about(0, np.full(2, -0.35)))
-        aim_limb(body, world, side, "elbow", out @ turns.about(0, np.full(2, -1.25)))
+        out = turns.rotations_about(2, np.full(2, body.arm_aside(side)))
+        aim_limb(body, world, side, "shoulder", out @ turns.rotations_about(0, np.full(2, -0.35)))
+        aim_limb(body, world, side, "elbow", out @ turns.rotations_about(0, np.full(2, -1.25)))
         follow(body, world, side)
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
-    return grounded(body, Motion("sit", np.array([0.0, 1.0]), np.zeros((2, 3)), rotations, cyclic=True))
+    return on_ground(body, Motion("sit", np.array([0.0, 1.0]), np.zeros((2, 3)), rotations, cyclic=True))
 
 
 def bone_frames(clone: Clone, root_m: Array, rotations: Array) -> Array:

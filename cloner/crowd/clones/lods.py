@@ -25,7 +25,7 @@ from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf import build
 from cloner.exporters.shared.files import write_bytes
 from cloner.generic.surfaces import load_surfaces
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
 
@@ -43,7 +43,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
-    clone = centred(clone)
+    clone = centre_joints(clone)
     path = folder / f"{name}_lods.glb"
     write_bytes(path, glb_bytes(with_levels(build(clone), clone)))
     return (path,)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from cloner.errors import ClonerError
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
@@ -84,4 +84,4 @@ def load_person(found: Found, generic: str) -> tuple[Clone, str]:
     if generic and own != generic:
         raise ClonerError("the clone was made with another generic human than the others", "Clone all of them again "
                           "with one version", found.identifier)  # fmt: skip
-    return centred(clone), own
+    return centre_joints(clone), own

@@ -142,7 +142,7 @@ def _label_net_joints(found: Found, pose: Array, proposal: Proposal) -> Found:
     near = "right" if faces_image_right(pose) else "left"
     shown = near if proposal.view is ViewId.BODY_SIDE else KINDS[proposal.view]
     return {
-        name: (point, MEAN_DISTANCE * seen_points.spread(name, shown))
+        name: (point, MEAN_DISTANCE * seen_points.point_sigma(name, shown))
         for name, point in zip(seen_points.NAMES, proposal.seen_px, strict=False)
         if name in found and name in net.JOINTS
     }

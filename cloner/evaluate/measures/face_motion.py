@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import mm_from_m
-from cloner.generic.face_grids import Grid, eye_grid, eyeball, lips_apart, mouth_grid
+from cloner.generic.face_grids import Grid, eye_grid, eyeball, lip_gaps_m, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_triangles
@@ -69,7 +69,7 @@ def face_figures(rest_m: Array, shape_m: Array) -> FaceFigures:
     values = (
         *(lid_gap(eye_grid(side), shape_m) for side in SIDES),
         max(eye_through(side, rest_m, shape_m) for side in SIDES),
-        float(lips_apart(grid, shape_m[grid.rings]).max()),
+        float(lip_gaps_m(grid, shape_m[grid.rings]).max()),
         teeth_through(shape_m),
         tongue_through(shape_m),
         teeth_shown(shape_m),

@@ -17,7 +17,7 @@ from cloner.exporters.gltf.gltf import build
 from cloner.exporters.shared.bones import Bones, kept_bones
 from cloner.exporters.shared.files import write_bytes
 from cloner.motion.flesh.rest import in_t_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.clones import Clone
 
@@ -69,7 +69,7 @@ def export_unity(clone: Clone, folder: Path, *, name: str = "clone", moves: Move
     ClonerError
         If the folder cannot be written to.
     """
-    return _written(in_t_pose(centred(clone)), folder / f"{name}_unity.glb", unity_bones(), moves)
+    return _written(in_t_pose(centre_joints(clone)), folder / f"{name}_unity.glb", unity_bones(), moves)
 
 
 def export_unreal(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
@@ -80,7 +80,7 @@ def export_unreal(clone: Clone, folder: Path, *, name: str = "clone", moves: Mov
     ClonerError
         If the folder cannot be written to.
     """
-    return _written(centred(clone), folder / f"{name}_unreal.glb", unreal_bones(), moves)
+    return _written(centre_joints(clone), folder / f"{name}_unreal.glb", unreal_bones(), moves)
 
 
 def _written(clone: Clone, path: Path, bones: Bones, moves: Moves) -> tuple[Path, ...]:

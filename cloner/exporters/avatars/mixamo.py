@@ -19,7 +19,7 @@ from cloner.exporters.gltf.gltf import build
 from cloner.exporters.shared.bones import Bones, kept_bones
 from cloner.exporters.shared.files import write_bytes
 from cloner.motion.flesh.rest import in_t_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.clones import Clone
 
@@ -56,6 +56,6 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}_mixamo.glb"
-    made = build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones(), corrects=True, shades=True)
+    made = build(in_t_pose(centre_joints(clone)), moves=moves, bones=mixamo_bones(), corrects=True, shades=True)
     write_bytes(path, glb_bytes(made))
     return (path,)

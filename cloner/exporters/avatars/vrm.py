@@ -23,9 +23,9 @@ from cloner.exporters.shared.files import jpeg_bytes, write_bytes
 from cloner.generic.framing import standard_camera
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
-from cloner.generic.painter import mean_of_samples, paint
+from cloner.generic.painter import downsample_samples, paint
 from cloner.motion.flesh.rest import in_t_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.clones import Clone
 
@@ -75,7 +75,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     ClonerError
         If the folder cannot be written to.
     """
-    posed = in_t_pose(centred(clone))
+    posed = in_t_pose(centre_joints(clone))
     gltf = build(posed, moves=moves, shades=True)
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
@@ -94,7 +94,7 @@ def _thumbnail(gltf: Any, clone: Clone) -> int:
     """Add a picture of the head, which programs show in their lists, and return its number."""
     camera = standard_camera(clone, "face", 2 * THUMBNAIL_PX, 2 * THUMBNAIL_PX)
     picture = paint(clone_layers(clone), camera, background=_BACKDROP)
-    data, blob = jpeg_bytes(mean_of_samples(picture, 2)), gltf.binary_blob()
+    data, blob = jpeg_bytes(downsample_samples(picture, 2)), gltf.binary_blob()
     gltf.bufferViews.append(pygltflib.BufferView(buffer=0, byteOffset=len(blob), byteLength=len(data)))
     gltf.images.append(pygltflib.Image(name="thumbnail", mimeType="image/jpeg", bufferView=len(gltf.bufferViews) - 1))
     blob += data + bytes(-len(data) % 4)

@@ -26,7 +26,7 @@ from cloner.exporters.shared.bones import hanim_bones
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import write_bytes
 from cloner.motion.flesh.rest import in_t_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -47,7 +47,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     ClonerError
         If the folder cannot be written to.
     """
-    posed = in_t_pose(centred(clone))
+    posed = in_t_pose(centre_joints(clone))
     path = folder / f"{name}.vrma"
     write_bytes(path, glb_bytes(_file(posed, moves(posed)[0])))
     return (path,)

@@ -34,8 +34,8 @@ from cloner.exporters.shared.roughness import roughness_map, shell_shine
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
-from cloner.motion.flesh.correctives import Driver, corrected, driven
-from cloner.motion.limbs.rig import centred
+from cloner.motion.flesh.correctives import Driver, drive_correctives, with_correctives
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -64,7 +64,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, glb_bytes(build(centred(clone), moves=moves, corrects=True, shades=True)))
+    write_bytes(path, glb_bytes(build(centre_joints(clone), moves=moves, corrects=True, shades=True)))
     return (path,)
 
 
@@ -97,7 +97,7 @@ def build(
     bones, motions = bones or hanim_bones(), moves(clone)
     drivers: tuple[Driver, ...] = ()
     if corrects:
-        clone, drivers = corrected(clone)
+        clone, drivers = with_correctives(clone)
     gltf = pygltflib.GLTF2(
         asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS),
         scene=0,
@@ -117,7 +117,7 @@ def build(
             roots.append(len(gltf.nodes) - 1)
     body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
     for motion in motions:
-        gltf.animations.append(animation(buffer, clone, driven(motion, drivers), bones, body))
+        gltf.animations.append(animation(buffer, clone, drive_correctives(motion, drivers), bones, body))
     facts = _facts(clone, bones)
     if drivers:
         facts["correctives"] = [driver.told(bones.name_of(driver.joint)) for driver in drivers]

@@ -25,7 +25,7 @@ from cloner.exporters.gltf.gltf import build
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf.gltf_packed import pack
 from cloner.exporters.shared.files import write_bytes
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
@@ -138,7 +138,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
         If the folder cannot be written to.
     """
     path = folder / f"{name}_small.glb"
-    gltf = build(_with_half_pictures(centred(clone)), buffer_type=QuantisedBuffer)
+    gltf = build(_with_half_pictures(centre_joints(clone)), buffer_type=QuantisedBuffer)
     _as_webp(gltf)
     pack(gltf)
     write_bytes(path, glb_bytes(gltf))

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.generic.load import load_generic
-from cloner.generic.morphs import moved_wedges
+from cloner.generic.morphs import wedge_offsets
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.motion.flesh.correctives import CORRECTIVE
@@ -58,7 +58,7 @@ def targets_of(
 
 
 def _moved(clone: Clone, vertex: NDArray[np.int32]) -> Iterator[tuple[NDArray[np.int64], NDArray[np.float32]]]:
-    for _, moved, own in moved_wedges(clone, vertex, SMALLEST_OFFSET_M):
+    for _, moved, own in wedge_offsets(clone, vertex, SMALLEST_OFFSET_M):
         yield moved, own
 
 

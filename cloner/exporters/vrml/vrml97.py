@@ -34,7 +34,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.flesh.rest import in_hanging_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -81,7 +81,7 @@ def export(
     ClonerError
         If the folder cannot be written to.
     """
-    clone = centred(clone)
+    clone = centre_joints(clone)
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.wrl"
     write_bytes(scene, "".join(_scene(clone, name, moves)).encode())

@@ -32,7 +32,7 @@ from cloner.exporters.vrml.vrml_segments import quoted, row_text, segment_texts
 from cloner.exporters.vrml.vrml_views import viewpoints
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.motion.flesh.rest import in_hanging_pose
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 
@@ -45,7 +45,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
-    clone = in_hanging_pose(centred(clone))
+    clone = in_hanging_pose(centre_joints(clone))
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}_hanim.wrl"
     write_bytes(scene, "".join(_scene(clone, name)).encode())

@@ -28,8 +28,8 @@ from cloner.exporters.vrml.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row
 from cloner.exporters.vrml.vrml_views import FIELD_OF_VIEW, placed_views
 from cloner.exporters.vrml.x3d_motion import TOUCH, motions_text
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.morphs import moved_wedges
-from cloner.motion.limbs.rig import centred
+from cloner.generic.morphs import wedge_offsets
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -47,7 +47,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     ClonerError
         If the folder cannot be written to.
     """
-    clone = centred(clone)
+    clone = centre_joints(clone)
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.x3d"
     write_bytes(scene, "".join(_document(clone, name, moves(clone))).encode())
@@ -153,7 +153,7 @@ def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64
 def _moved(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[Moved]:
     """Yield the face's targets that move anything, the vertices they move and by how much, metres."""
     vertex = np.concatenate([mesh.vertex for mesh in meshes])
-    return (one for one in moved_wedges(clone, vertex, SMALLEST_OFFSET_M) if len(one[1]))
+    return (one for one in wedge_offsets(clone, vertex, SMALLEST_OFFSET_M) if len(one[1]))
 
 
 def _displacers(moved: Sequence[Moved]) -> Iterator[str]:

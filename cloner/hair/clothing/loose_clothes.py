@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
-from cloner.generic.seen_points import stance
+from cloner.generic.seen_points import combined_pose
 from cloner.geometry.charts.atlas import map_atlas
 from cloner.geometry.charts.tubes import tube_mesh
 from cloner.hair.clothing.loose_shape import COLUMNS, loose_tube
@@ -90,7 +90,7 @@ def shell_views(views: list[LooseView], proposals: Proposals, silhouettes: Silho
         mask: NDArray[np.bool_] = person & view.region.cloth(
             (person.shape[0], person.shape[1]), margin_px=HEM_MARGIN * figure
         )
-        arms = arm_zone(stance(proposal), figure, person.shape)
+        arms = arm_zone(combined_pose(proposal), figure, person.shape)
         # labels know bare arms where the net's lines miss them; sleeves are told by the lines alone
         mask &= (signed_distance(arms) < -ARM_MARGIN * figure) & shows(proposal.labels, *CLOTHES)
         inside = signed_distance(mask)

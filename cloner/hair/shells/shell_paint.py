@@ -101,10 +101,8 @@ def paint_shell(
     graph = surface_graph(vertices_m, atlas.triangles)
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     pictures = _pictures(photos, usable)
-    joints = (skin_joints, skin_weights)
-    sights = list(
-        abreast(lambda view: _visibility(generic, joined, view, vertices_m, *joints, atlas.triangles), usable)
-    )
+    shell = (vertices_m, skin_joints, skin_weights, atlas.triangles)
+    sights = list(abreast(lambda view: _visibility(generic, joined, view, *shell), usable))
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
@@ -129,9 +127,8 @@ def paint_shell(
         yield from (_texture_layer(atlas, one) for one in shown)  # one by one: a layer of 2048 texels takes 64 MiB
 
     covered = atlas.covered()
-    rgb = push_pull(
-        blend_pyramids(layers(), (*atlas.shape, 3), LEVELS) * covered[..., None], covered.astype(np.float32)
-    )
+    blended = blend_pyramids(layers(), (*atlas.shape, 3), LEVELS) * covered[..., None]
+    rgb = push_pull(blended, covered.astype(np.float32))
     opaque = np.full((*atlas.shape, 1), 255.0, np.float32)
     return np.concatenate([np.clip(np.rint(rgb), 0, 255), opaque], axis=2).astype(np.uint8)
 

@@ -179,7 +179,7 @@ def _frames(numbers: Array, offsets: Array, channels: list[list[str]]) -> tuple[
             if axis is None or kind not in ("position", "rotation"):
                 raise ValueError(f"the channel {name!r} is not known")
             if kind == "rotation":
-                local[:, joint] = local[:, joint] @ turns.about(axis, np.radians(numbers[:, column]))
+                local[:, joint] = local[:, joint] @ turns.rotations_about(axis, np.radians(numbers[:, column]))
             elif joint == 0:
                 root[:, axis] = numbers[:, column]
             column += 1

@@ -105,7 +105,7 @@ def model_from_file(capture: Capture, anatomy: Anatomy) -> Array:
 def facing_front(capture: Capture, anatomy: Anatomy, model: Array) -> Array:
     """Return the turn from the file's axes with which the hips of the first frame face the front."""
     ahead = model @ capture.world()[0, anatomy.pelvis] @ model.T @ np.array([0.0, 0.0, 1.0])
-    return np.asarray(turns.about(1, -np.arctan2(ahead[0], ahead[2])) @ model)
+    return np.asarray(turns.rotations_about(1, -np.arctan2(ahead[0], ahead[2])) @ model)
 
 
 def _axis(direction: Array) -> Array:
@@ -135,7 +135,7 @@ def _trunk(body: Body, anatomy: Anatomy, source: Array) -> Array:
             place = (row + 1) / len(names) * (len(turns_of) - 1)
             low = min(int(place), max(len(turns_of) - 2, 0))
             high = min(low + 1, len(turns_of) - 1)
-            turned = turns.shared(turns_of[low], turns_of[high], place - low)
+            turned = turns.interpolated_rotations(turns_of[low], turns_of[high], place - low)
             world[:, below(body, body.joint(joint))] = turned[:, None]
     return world
 
@@ -159,7 +159,7 @@ def _aimed(body: Body, names: tuple[str, str], source: Array, joint: int, direct
     """Return (F, 3, 3) a joint's orientations that let its bone point as the captured joint's ``direction`` does."""
     first, second = (body.joint(name) for name in names)
     rest = body.joints_m[second] - body.joints_m[first]
-    return np.asarray(source[:, joint] @ turns.between(rest, direction))
+    return np.asarray(source[:, joint] @ turns.rotations_between(rest, direction))
 
 
 def _limb(
@@ -175,17 +175,17 @@ def _foot(body: Body, world: Array, side: str, leg: Limb, source: Array, offsets
     toe = body.joints_m[body.joint(f"{side}_metatarsal")] - body.joints_m[body.joint(f"{side}_ankle")]
     ahead = offsets[leg.tip] if leg.tip >= 0 else np.array([0.0, 0.0, 1.0])
     level = np.array([1.0, 0.0, 1.0])
-    foot = source[:, leg.end] @ turns.between(toe * level, ahead * level)
+    foot = source[:, leg.end] @ turns.rotations_between(toe * level, ahead * level)
     for name in FOOT:
         world[:, body.joint(f"{side}_{name}")] = foot
-    bent = foot if leg.tip < 0 else source[:, leg.tip] @ turns.between(toe * level, ahead * level)
+    bent = foot if leg.tip < 0 else source[:, leg.tip] @ turns.rotations_between(toe * level, ahead * level)
     world[:, body.joint(f"{side}_metatarsal")] = bent
 
 
 def _arm(body: Body, world: Array, side: str, arm: Limb, source: Array, offsets: Array) -> None:
     if arm.girdle >= 0:
         lift = _aimed(body, (f"{side}_acromioclavicular", f"{side}_shoulder"), source, arm.girdle, offsets[arm.upper])
-        rest = turns.between(
+        rest = turns.rotations_between(
             body.joints_m[body.joint(f"{side}_shoulder")] - body.joints_m[body.joint(f"{side}_acromioclavicular")],
             offsets[arm.upper],
         )

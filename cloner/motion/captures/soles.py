@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter1d, minimum_filter1d
 
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, SIDES, Body
-from cloner.motion.moves.contact import NEAR_M, Mask, grounded, runs, standing
+from cloner.motion.moves.contact import NEAR_M, Mask, foot_contacts, on_ground, runs
 from cloner.records.arrays import Array
 from cloner.records.motions import Motion
 
@@ -38,7 +38,7 @@ def belt_speed(body: Body, motion: Motion) -> float:
 
     Such a person stays within a step, and soles near to the floor hardly ever rest.
     """
-    rests = np.mean([flags.mean() for flags in standing(body, motion)])
+    rests = np.mean([flags.mean() for flags in foot_contacts(body, motion)])
     if rests > RESTS or np.ptp(motion.root_m[:, [0, 2]], axis=0).max() > ON_THE_SPOT_M:
         return 0.0
     speeds = []
@@ -58,7 +58,7 @@ def flattened(body: Body, motion: Motion) -> Motion:
     """
     world = body.world(motion)
     soles = body.sole_points(world, motion.root_m)
-    for side, stands, sole in zip(SIDES, standing(body, motion), soles, strict=True):
+    for side, stands, sole in zip(SIDES, foot_contacts(body, motion), soles, strict=True):
         ankle, toes = body.joint(f"{side}_ankle"), body.joint(f"{side}_metatarsal")
         tilt = tilt_of(world[:, ankle])
         usual = np.median(tilt[stands], axis=0) if stands.any() else np.zeros(3)
@@ -104,13 +104,13 @@ def _steadied(motion: Motion, world: Array, stands: Mask, flat: Mask) -> Array:
                 if not 0 <= row < len(held) or held[row]:
                     break
                 change[row] += (1.0 - k / ease) * change[edge]
-    return turns.about(1, change)
+    return turns.rotations_about(1, change)
 
 
 def tilt_of(world: Array) -> Array:
     """Return (F, 3) the rotation vectors, in the foot's own axes, that tilt soles with orientations (F, 3, 3)."""
     up = np.array([0.0, 1.0, 0.0])
-    return turns.vectors(turns.between(up, np.swapaxes(world, -1, -2) @ up)) * -1.0
+    return turns.vectors(turns.rotations_between(up, np.swapaxes(world, -1, -2) @ up)) * -1.0
 
 
 def settled(body: Body, motion: Motion) -> Motion:
@@ -120,7 +120,7 @@ def settled(body: Body, motion: Motion) -> Motion:
     what rises by more than `RISE_M` above all within `FLIGHT_S` is flight. Frames that would still sink are lifted.
     """
     step = float(np.diff(motion.times_s).mean())
-    low = motion.root_m[:, 1] - grounded(body, motion).root_m[:, 1]
+    low = motion.root_m[:, 1] - on_ground(body, motion).root_m[:, 1]
     near = minimum_filter1d(low, max(round(FLIGHT_S / step), 1), mode="nearest")
     stands = np.flatnonzero(low <= near + RISE_M)
     floor = gaussian_filter1d(np.interp(np.arange(len(low)), stands, low[stands]), SMOOTH_S / step, mode="nearest")

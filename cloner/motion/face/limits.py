@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.generic.face_grids import Grid, eye_grid, lips_apart, mouth_grid
+from cloner.generic.face_grids import Grid, eye_grid, lip_gaps_m, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.records.arrays import Array
@@ -152,12 +152,12 @@ def _held_lips(rows: Array, rest: Array, lips: Array) -> Array:
     for frame, weights in enumerate(out):
         for _ in range(TURNS):
             shape = rest + np.tensordot(weights, lips, axes=1)
-            apart = lips_apart(grid, shape)
+            apart = lip_gaps_m(grid, shape)
             worst = int(apart.argmin())
             if apart[worst] > -PRESS_M:
                 break
             # where they cross most: how far every target alone moves the two lips' lines there to each other
-            own = np.array([lips_apart(grid, shape - w * step)[worst] - apart[worst] if w > 0.0 else 0.0
+            own = np.array([lip_gaps_m(grid, shape - w * step)[worst] - apart[worst] if w > 0.0 else 0.0
                             for w, step in zip(weights, lips, strict=True)])  # fmt: skip
             closes = own > 1e-6
             excess = (-PRESS_M / 2.0 - apart[worst]) / max(float(own[closes].sum()), 1e-9)

@@ -1,1 +1,1 @@
-"""Flesh around bent joints, and other rest poses."""
+"""Volume of flesh around bent joints, and other rest poses."""

@@ -1,4 +1,4 @@
-"""Limbs bent by known angles at one joint, and the flesh around that joint: where skinning loses or gains volume."""
+"""Limbs bent by known angles at one joint, and the volume around that joint, which skinning loses or gains."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Ints = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)
-class Bend:
+class JointBend:
     """One way in which a joint bends.
 
     Attributes
@@ -49,12 +49,12 @@ CLAVICLE_RAD: Final = np.radians(12.0)
 SETTING_RAD: Final = np.radians(30.0)
 #: Ranges of healthy adults (Norkin and White 2016, table of the American Academy of Orthopaedic Surgeons), rounded.
 BENDS: Final = (
-    Bend("shoulder", "raised", (0, 30, 60, 90, 120, 150)),
-    Bend("shoulder", "forward", (0, 45, 90, 135)),
-    Bend("elbow", "bent", (0, 30, 60, 90, 120, 140)),
-    Bend("hip", "forward", (-20, 0, 30, 60, 90, 110)),
-    Bend("hip", "spread", (0, 20, 40)),
-    Bend("knee", "bent", (0, 30, 60, 90, 120, 135)),
+    JointBend("shoulder", "raised", (0, 30, 60, 90, 120, 150)),
+    JointBend("shoulder", "forward", (0, 45, 90, 135)),
+    JointBend("elbow", "bent", (0, 30, 60, 90, 120, 140)),
+    JointBend("hip", "forward", (-20, 0, 30, 60, 90, 110)),
+    JointBend("hip", "spread", (0, 20, 40)),
+    JointBend("knee", "bent", (0, 30, 60, 90, 120, 135)),
 )
 #: Joints whose flesh is kept.
 FLESHED: Final = ("shoulder", "elbow", "hip", "knee")
@@ -65,32 +65,32 @@ _REACH: Final = {
 }  # fmt: skip
 
 
-def bent(body: Body, side: str, bend: Bend, degrees: Sequence[float]) -> Array:
-    """Return (F, 94, 3) rotation vectors of one limb bent by F angles, all others as at rest, radians."""
+def bent_rotations(body: Body, side: str, bend: JointBend, degrees: Sequence[float]) -> Array:
+    """Return rotation vectors (F, 94, 3) of one limb bent by F angles, all others at rest, radians."""
     angle, sign = np.radians(np.asarray(degrees, dtype=np.float64)), 1.0 if side == "l" else -1.0
     still = np.zeros(len(angle))
     world = np.tile(np.eye(3), (len(angle), len(body.names), 1, 1))
-    forward, aside = turns.about(X, -angle), turns.about(Z, sign * angle)
+    forward, aside = turns.rotations_about(X, -angle), turns.rotations_about(Z, sign * angle)
     if bend.joint in ("shoulder", "elbow"):
-        hanging = turns.about(Z, still + body.arm_aside(side))
+        hanging = turns.rotations_about(Z, still + body.arm_aside(side))
         swing = {"raised": aside, "forward": forward}.get(bend.way, hanging)
         rise = _rise(angle if bend.joint == "shoulder" else still) - _rise(_aside(body, side))
         for name in ("sternoclavicular", "acromioclavicular"):
-            world[:, body.joint(f"{side}_{name}")] = turns.about(Z, sign * rise)
+            world[:, body.joint(f"{side}_{name}")] = turns.rotations_about(Z, sign * rise)
         aim_limb(body, world, side, "shoulder", swing)
         aim_limb(body, world, side, "elbow", swing @ forward if bend.joint == "elbow" else swing)
         world[:, below(body, body.joint(f"{side}_wrist"))] = world[:, [body.joint(f"{side}_elbow")]]
     else:
-        thigh = {"forward": forward, "spread": aside}.get(bend.way, turns.about(X, still))
+        thigh = {"forward": forward, "spread": aside}.get(bend.way, turns.rotations_about(X, still))
         aim_limb(body, world, side, "hip", thigh)
-        aim_limb(body, world, side, "knee", turns.about(X, angle) if bend.joint == "knee" else thigh)
+        aim_limb(body, world, side, "knee", turns.rotations_about(X, angle) if bend.joint == "knee" else thigh)
         for name in (*FOOT, "metatarsal"):
             world[:, body.joint(f"{side}_{name}")] = world[:, body.joint(f"{side}_knee")]
     return shared_twist(body, turns.local_from_world(world, body.parents))
 
 
 def _rise(raised: Array) -> Array:
-    """Return by how much collarbones rise under arms raised by angles (F,), radians."""
+    """Return the rise of collarbones under arms raised by angles (F,), radians."""
     return np.asarray(CLAVICLE_RAD * np.clip((raised - SETTING_RAD) / (0.5 * np.pi - SETTING_RAD), 0.0, 2.0))
 
 
@@ -102,7 +102,7 @@ def _aside(body: Body, side: str) -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Flesh:
-    """The skin around a joint, one piece, and its rims.
+    """The skin around a joint, one component, and its rims.
 
     Attributes
     ----------
@@ -121,7 +121,7 @@ class Flesh:
     hole: Ints
 
     def volume(self, points_m: Array) -> float:
-        """Return what (N, 3) points of its vertices hold when a fan around its middle closes every hole, m3."""
+        """Return the volume of points (N, 3), with every hole closed by a fan around its middle, m3."""
         own = np.ascontiguousarray((points_m - points_m.mean(axis=0)).T)
         first, second = own[:, self.rim[:, 1]], own[:, self.rim[:, 0]]
         count = 2.0 * np.bincount(self.hole)

@@ -1,4 +1,4 @@
-"""Corrective shapes: morph targets that keep the flesh around bent joints, and what drives them.
+"""Corrective shapes: morph targets that keep the volume around bent joints, and their drivers.
 
 Linear skinning, the only one that files know, loses up to half of a shoulder's, hip's or knee's flesh over their
 range. In a table of angles the limb is bent by dual quaternions as well, mixed in as far as its volume wants; what is
@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
-from cloner.motion.flesh.bending import Bend, bent
-from cloner.motion.flesh.kept_flesh import kept_flesh
+from cloner.motion.flesh.bending import JointBend, bent_rotations
+from cloner.motion.flesh.kept_flesh import corrective_offsets
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, body_of
 from cloner.records.arrays import Array
@@ -37,11 +37,11 @@ Ints = NDArray[np.int64]
 CORRECTIVE: Final = "corrective_"
 #: The table: ways a joint bends, the angles with a target of their own, and those in which it is told to have none.
 TABLE: Final = {
-    "shoulder": ((Bend("shoulder", "raised", (0, 20, 50, 80, 105, 130, 150)), ()),
-                 (Bend("shoulder", "forward", (15, 35, 60, 90, 120, 150)), ())),
-    "elbow": ((Bend("elbow", "bent", (0, 60, 100, 140)), ()),),
-    "hip": ((Bend("hip", "forward", (-20, 45, 80, 110)), (0,)), (Bend("hip", "spread", (40,)), ())),
-    "knee": ((Bend("knee", "bent", (50, 95, 135)), (0,)),),
+    "shoulder": ((JointBend("shoulder", "raised", (0, 20, 50, 80, 105, 130, 150)), ()),
+                 (JointBend("shoulder", "forward", (15, 35, 60, 90, 120, 150)), ())),
+    "elbow": ((JointBend("elbow", "bent", (0, 60, 100, 140)), ()),),
+    "hip": ((JointBend("hip", "forward", (-20, 45, 80, 110)), (0,)), (JointBend("hip", "spread", (40,)), ())),
+    "knee": ((JointBend("knee", "bent", (50, 95, 135)), (0,)),),
 }  # fmt: skip
 _NEXT: Final = {"shoulder": "elbow", "elbow": "wrist", "hip": "knee", "knee": "ankle"}
 #: Below a skirt no hip or knee is corrected: cloth is carried by its own weights and would be pierced.
@@ -52,7 +52,7 @@ SAME_RAD: Final = np.radians(4.0)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Driver:
-    """What drives the targets of one joint.
+    """The driver of one joint's targets.
 
     Attributes
     ----------
@@ -91,8 +91,8 @@ class Driver:
 
 
 @once_each
-def corrected(clone: Clone) -> tuple[Clone, tuple[Driver, ...]]:
-    """Return the clone, in its own rest pose, with corrective targets behind its others, and what drives them."""
+def with_correctives(clone: Clone) -> tuple[Clone, tuple[Driver, ...]]:
+    """Return the clone, in its own rest pose, with corrective targets after its others, and their drivers."""
     body, normals = body_of(clone), surface_normals(clone.vertices_m)
     covered = any(shell.kind == "cloth" for shell in clone.shells)
     drivers, rows, deltas = [], [], []
@@ -115,8 +115,8 @@ def corrected(clone: Clone) -> tuple[Clone, tuple[Driver, ...]]:
     ), tuple(drivers)
 
 
-def driven(motion: Motion, drivers: Sequence[Driver]) -> Motion:
-    """Return the motion with the weights of corrective targets that its own bends ask for."""
+def drive_correctives(motion: Motion, drivers: Sequence[Driver]) -> Motion:
+    """Return the motion with the weights of corrective targets for its own bends."""
     joints, weights = load_generic().joint_names, dict(motion.weights)
     for driver in drivers:
         weights |= driver.weights(motion.rotations[:, joints.index(driver.joint)])
@@ -124,7 +124,7 @@ def driven(motion: Motion, drivers: Sequence[Driver]) -> Motion:
 
 
 def _driver(
-    clone: Clone, body: Body, normals: Array, side: str, joint: str, ways: Sequence[tuple[Bend, tuple[float, ...]]]
+    clone: Clone, body: Body, normals: Array, side: str, joint: str, ways: Sequence[tuple[JointBend, tuple[float, ...]]]
 ) -> tuple[Driver, list[tuple[Ints, Array]]]:
     """Return the driver of a joint, and vertices and offsets, metres, of its targets."""
     own, end = body.joint(f"{side}_{joint}"), body.joint(f"{side}_{_NEXT[joint]}")
@@ -133,7 +133,7 @@ def _driver(
     names, directions, found = [""], [bone], []
     for bend, still in ways:
         angles = (*bend.degrees, *still)
-        for degrees, rotations in zip(angles, bent(body, side, bend, angles), strict=True):
+        for degrees, rotations in zip(angles, bent_rotations(body, side, bend, angles), strict=True):
             direction = turns.matrices(rotations[own]) @ bone
             if _angles(direction[None], np.array(directions)).min() < SAME_RAD:
                 continue
@@ -141,7 +141,7 @@ def _driver(
             names.append(f"{CORRECTIVE}{side}_{joint}_{bend.way}_{degrees:.0f}" if shaped else "")
             directions.append(direction)
             if shaped:
-                found.append(kept_flesh(clone, body.parents, normals, side, joint, rotations))
+                found.append(corrective_offsets(clone, body.parents, normals, side, joint, rotations))
     every = np.array(directions)
     weigh: Array = np.asarray(np.linalg.inv(_angles(every, every)), dtype=np.float64)
     return Driver(f"{side}_{joint}", bone, tuple(names), every, weigh), found

@@ -1,4 +1,4 @@
-"""The flesh of a bent joint as dual quaternions keep it, told as offsets of the skin at rest for linear skinning.
+"""Volume of a bent joint under dual quaternion skinning, as corrective offsets at rest for linear blend skinning.
 
 References
 ----------
@@ -31,10 +31,10 @@ _STEP_M: Final = 1e-3
 SMALLEST_M: Final = 3e-4
 
 
-def kept_flesh(
+def corrective_offsets(
     clone: Clone, parents: NDArray[np.integer], normals: Array, side: str, joint: str, rotations: Array
 ) -> tuple[Ints, Array]:
-    """Return the vertices that a bend moves wrongly, and offsets (N, 3) at rest that put them right, metres.
+    """Return the vertices that a bend moves wrongly, and the offsets (N, 3) at rest that correct them, metres.
 
     Dual quaternions are mixed in as far as the joint's volume at rest wants them; what is left is put on along the
     normals.
@@ -76,7 +76,7 @@ def kept_flesh(
 
 @functools.cache
 def _bent_skin(side: str, joint: str) -> tuple[Ints, Ints, Array, Array, NDArray[np.bool_]]:
-    """Return the skin that a joint bends, its flesh first, and (94,) the joints that turn it.
+    """Return the skin that a joint bends, its flesh first, and the joints (94,) that rotate it.
 
     The skin is vertices (N,), joints and weights (N, 4), and the limb's share (N,).
     """

@@ -1,4 +1,4 @@
-"""Another rest pose for a clone: the T-pose that avatar programs ask for, H-Anim's hanging arms."""
+"""Other rest poses: the T-pose of avatar programs, H-Anim's hanging arms."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from cloner.geometry.articulation.skinning import (
     posed_joints,
 )
 from cloner.motion.flesh.bending import CLAVICLE_RAD, FLESHED
-from cloner.motion.flesh.kept_flesh import kept_flesh
+from cloner.motion.flesh.kept_flesh import corrective_offsets
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, SIDES, Body, below, body_of
 from cloner.motion.limbs.twist import shared_twist
@@ -33,18 +33,18 @@ LEAST_RAD = np.radians(3.0)
 
 @once_each
 def in_t_pose(clone: Clone) -> Clone:
-    """Return the clone whose rest pose is the T-pose: arms level to the sides, palms down, legs straight down."""
+    """Return the clone in a T-pose: arms level to the sides, palms down, legs straight down."""
     return in_pose(clone, t_pose(body_of(clone)))
 
 
 @once_each
 def in_hanging_pose(clone: Clone) -> Clone:
-    """Return the clone whose rest pose is H-Anim's own: arms hanging at the sides, palms inwards."""
+    """Return the clone in H-Anim's own rest pose: arms hanging at the sides, palms inwards."""
     return in_pose(clone, hanging_pose(body_of(clone)))
 
 
 def in_pose(clone: Clone, rotations: Array) -> Clone:
-    """Return the clone whose rest pose is another one.
+    """Return the clone with another rest pose.
 
     Limbs keep their flesh (`cloner.motion.flesh.kept_flesh`). Skin, shells, joints, morph targets and feature points
     are bound anew in that pose; the photos' poses are left out, they belong to the old rest pose. Feet stay on the
@@ -57,7 +57,7 @@ def in_pose(clone: Clone, rotations: Array) -> Clone:
         Rotation vectors of the joints against the old rest pose, radians.
     """
     generic = load_generic()
-    clone = _fleshed(clone, rotations)
+    clone = _with_flesh_corrected(clone, rotations)
     transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
     joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
     vertices = linear_blend_skinning(clone.vertices_m, transforms, joints, weights)
@@ -70,24 +70,24 @@ def in_pose(clone: Clone, rotations: Array) -> Clone:
         joints_m=posed_joints(transforms, clone.joints_m) + drop,
         morph_delta_m=moved.astype(np.float32),
         shells=tuple(_reposed(shell, transforms, drop) for shell in clone.shells),
-        features_m=_carried(clone, blended, drop),
+        features_m=_moved_features(clone, blended, drop),
         views={},
     )
 
 
-def _fleshed(clone: Clone, rotations: Array) -> Clone:
-    """Return the clone with what its skin needs at rest for limbs to keep their flesh in a pose."""
+def _with_flesh_corrected(clone: Clone, rotations: Array) -> Clone:
+    """Return the clone with the correctives of a pose applied at rest."""
     generic = load_generic()
     vertices, normals = clone.vertices_m.copy(), surface_normals(clone.vertices_m)
     for side, joint in ((side, joint) for side in SIDES for joint in FLESHED):
         if np.linalg.norm(rotations[generic.joint(f"{side}_{joint}")]) > LEAST_RAD:
-            rows, offsets = kept_flesh(clone, generic.joint_parents, normals, side, joint, rotations)
+            rows, offsets = corrective_offsets(clone, generic.joint_parents, normals, side, joint, rotations)
             vertices[rows] += offsets
     return replace(clone, vertices_m=vertices)
 
 
-def _carried(clone: Clone, blended: Array, drop: Array) -> dict[str, Array]:
-    """Return the feature points as the nearest vertex of the skin carries them."""
+def _moved_features(clone: Clone, blended: Array, drop: Array) -> dict[str, Array]:
+    """Return the feature points moved with their nearest skin vertex."""
     if not clone.features_m:
         return {}
     points = np.array(list(clone.features_m.values()))
@@ -107,19 +107,19 @@ def hanging_pose(body: Body) -> Array:
     """Return (94, 3) rotation vectors of arms hanging at the sides and straight legs, radians."""
     world = np.tile(np.eye(3), (1, len(body.names), 1, 1))
     for side in SIDES:
-        out = turns.about(2, np.array([body.arm_aside(side)]))
+        out = turns.rotations_about(2, np.array([body.arm_aside(side)]))
         aim_limb(body, world, side, "shoulder", out)
         aim_limb(body, world, side, "elbow", out)
         follow(body, world, side)
-        _stand(body, world, side)
+        _straighten_leg(body, world, side)
     return np.asarray(shared_twist(body, turns.local_from_world(world, body.parents))[0])
 
 
-def _stand(body: Body, world: Array, side: str) -> None:
-    """Let a leg stand straight down, or as far out as wide trousers want, its foot flat."""
-    out = max(body.legs_out, 0.0) * (1.0 if side == "l" else -1.0)
+def _straighten_leg(body: Body, world: Array, side: str) -> None:
+    """Straighten a leg down, or as far out as wide trousers need, with the foot flat."""
+    out = max(body.leg_clearance_rad, 0.0) * (1.0 if side == "l" else -1.0)
     for name in ("hip", "knee"):
-        aim_limb(body, world, side, name, turns.about(2, np.array([out])))
+        aim_limb(body, world, side, name, turns.rotations_about(2, np.array([out])))
     for name in (*FOOT, "metatarsal"):
         world[:, body.joint(f"{side}_{name}")] = np.eye(3)
 
@@ -127,9 +127,12 @@ def _stand(body: Body, world: Array, side: str) -> None:
 def t_pose(body: Body) -> Array:
     """Return (94, 3) rotation vectors of the T-pose, radians."""
     world = np.tile(np.eye(3), (1, len(body.names), 1, 1))
-    down_to_side = {"l": turns.about(2, np.array([np.pi / 2])), "r": turns.about(2, np.array([-np.pi / 2]))}
+    down_to_side = {
+        "l": turns.rotations_about(2, np.array([np.pi / 2])),
+        "r": turns.rotations_about(2, np.array([-np.pi / 2])),
+    }
     for side in SIDES:
-        raised = turns.about(2, np.array([CLAVICLE_RAD if side == "l" else -CLAVICLE_RAD]))
+        raised = turns.rotations_about(2, np.array([CLAVICLE_RAD if side == "l" else -CLAVICLE_RAD]))
         for name in ("sternoclavicular", "acromioclavicular"):
             world[:, body.joint(f"{side}_{name}")] = raised
         aim_limb(body, world, side, "shoulder", down_to_side[side])
@@ -137,7 +140,7 @@ def t_pose(body: Body) -> Array:
         elbow, wrist = body.joint(f"{side}_elbow"), body.joint(f"{side}_wrist")
         palm = world[0, elbow] @ palm_normal(body, side)
         level = np.array([0.0, 1.0, 1.0])  # only about the arm's own axis
-        twist = turns.between(palm * level, np.array([0.0, -1.0, 0.0]))
+        twist = turns.rotations_between(palm * level, np.array([0.0, -1.0, 0.0]))
         world[:, below(body, wrist)] = twist @ world[0, elbow]
-        _stand(body, world, side)
+        _straighten_leg(body, world, side)
     return np.asarray(shared_twist(body, turns.local_from_world(world, body.parents))[0])

@@ -1,4 +1,4 @@
-"""The parts of a person that move: chains of joints, and soles that touch the floor."""
+"""A person's skeleton and soles for motions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.motion.limbs import turns
-from cloner.motion.limbs.clearance import arms_out, legs_out
+from cloner.motion.limbs.clearance import arm_clearance_rad, leg_clearance_rad
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -39,9 +39,9 @@ class Body:
     rolls : tuple of (3, N) float64, left and right
         Rows of weights that make the middle of the heel, of the ball and of the toes from a sole's points: what a
         foot rolls over.
-    arms_out : float
+    arm_clearance_rad : float
         Angle from straight down at which hanging arms are clear of the trunk, radians.
-    legs_out : float
+    leg_clearance_rad : float
         Least angle from straight down, positive outwards, at which straight legs do not touch, radians.
     """
 
@@ -50,8 +50,8 @@ class Body:
     names: tuple[str, ...]
     soles: tuple[tuple[Array, NDArray[np.integer], Array], ...]
     rolls: tuple[Array, ...]
-    arms_out: float
-    legs_out: float
+    arm_clearance_rad: float
+    leg_clearance_rad: float
 
     def joint(self, name: str) -> int:
         """Return the number of a joint."""
@@ -59,7 +59,7 @@ class Body:
 
     def arm_aside(self, side: str) -> float:
         """Return the angle about the model's Z axis that holds a hanging arm clear of the trunk, radians."""
-        return self.arms_out if side == "l" else -self.arms_out
+        return self.arm_clearance_rad if side == "l" else -self.arm_clearance_rad
 
     def world(self, motion: Motion) -> Array:
         """Return (F, 94, 3, 3) orientations of the joints in the model frame."""
@@ -67,11 +67,11 @@ class Body:
 
     def places(self, motion: Motion) -> Array:
         """Return (F, 94, 3) places of the joints, model frame, metres."""
-        return turns.places(self.world(motion), self.joints_m, self.parents, motion.root_m)
+        return turns.joint_positions(self.world(motion), self.joints_m, self.parents, motion.root_m)
 
     def sole_points(self, world: Array, root_m: Array) -> tuple[Array, Array]:
         """Return the (F, N, 3) places of the left and the right sole's points, metres."""
-        where = turns.places(world, self.joints_m, self.parents, root_m)
+        where = turns.joint_positions(world, self.joints_m, self.parents, root_m)
         found = []
         for rest, joints, shares in self.soles:
             offset = rest[:, None] - self.joints_m[joints]
@@ -86,15 +86,15 @@ def body_of(clone: Clone) -> Body:
     soles, rolls = [], []
     for side in ("left", "right"):
         rows = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
-        soles.append((clone.vertices_m[rows], *_carried(generic, rows)))
-        rolls.append(_rolls(clone.vertices_m[rows], clone.joints_m[generic.joint(f"{side[0]}_metatarsal")]))
+        soles.append((clone.vertices_m[rows], *_skinned_by(generic, rows)))
+        rolls.append(_sole_weights(clone.vertices_m[rows], clone.joints_m[generic.joint(f"{side[0]}_metatarsal")]))
     parents, names = generic.joint_parents.astype(np.int64), tuple(generic.joint_names)
-    out = arms_out(clone.vertices_m, clone.joints_m)
-    legs = legs_out(clone.vertices_m, clone.joints_m)
+    out = arm_clearance_rad(clone.vertices_m, clone.joints_m)
+    legs = leg_clearance_rad(clone.vertices_m, clone.joints_m)
     return Body(clone.joints_m, parents, names, tuple(soles), tuple(rolls), out, legs)
 
 
-def _rolls(sole_m: Array, ball_m: Array) -> Array:
+def _sole_weights(sole_m: Array, ball_m: Array) -> Array:
     """Return (3, N) weights of heel, ball and toes; patches of `PATCH_M` along the foot."""
     low = sole_m[:, 1] < sole_m[:, 1].min() + PATCH_M
     ends = [sole_m[low, 2].min(), ball_m[2], sole_m[low, 2].max()]
@@ -102,7 +102,7 @@ def _rolls(sole_m: Array, ball_m: Array) -> Array:
     return np.asarray(near / np.maximum(near.sum(axis=1, keepdims=True), 1.0))
 
 
-def _carried(generic: GenericHuman, rows: NDArray[np.integer]) -> tuple[NDArray[np.integer], Array]:
+def _skinned_by(generic: GenericHuman, rows: NDArray[np.integer]) -> tuple[NDArray[np.integer], Array]:
     weights = generic.skin_weights[rows].astype(np.float64)
     return generic.skin_joints[rows].astype(np.int64), weights / weights.sum(axis=1, keepdims=True)
 

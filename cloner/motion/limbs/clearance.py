@@ -1,4 +1,4 @@
-"""How far hanging arms and legs stand out: no sleeve hangs inside a jacket, no trouser leg in the other."""
+"""Clearance of hanging arms and legs, so that sleeves and trouser legs do not intersect."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ LEG_FREE_FROM: Final = 0.2
 LEVEL_M: Final = 0.01
 
 
-def arms_out(vertices_m: Array, joints_m: Array) -> float:
-    """Return the angle from straight down, radians, at which both hanging arms are clear of trunk and thighs.
+def arm_clearance_rad(vertices_m: Array, joints_m: Array) -> float:
+    """Return the angle from straight down at which both hanging arms are clear of trunk and thighs, radians.
 
     Parameters
     ----------
@@ -36,8 +36,8 @@ def arms_out(vertices_m: Array, joints_m: Array) -> float:
     return max(_arm_out(vertices_m, joints_m, side) for side in "lr")
 
 
-def legs_out(vertices_m: Array, joints_m: Array) -> float:
-    """Return the angle from straight down, radians, positive outwards, from which on straight legs do not touch.
+def leg_clearance_rad(vertices_m: Array, joints_m: Array) -> float:
+    """Return the angle from straight down, positive outwards, from which straight legs do not touch, radians.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def _rows(generic: GenericHuman, names: tuple[str, ...]) -> NDArray[np.int64]:
 
 
 def _arm(generic: GenericHuman, vertices_m: Array, joints_m: Array, side: str) -> tuple[Array, Array]:
-    """Return how far along the straight arm its vertices lie, and how far inwards from its axis, metres."""
+    """Return positions along the straight arm of its vertices, and inwards from its axis, metres."""
     long = {"l": "left", "r": "right"}[side]
     chain = ("shoulder", "elbow", "wrist", "middle3")
     along, inward, start = [], [], 0.0
@@ -99,7 +99,7 @@ def _arm(generic: GenericHuman, vertices_m: Array, joints_m: Array, side: str) -
 
 
 def _half_widths(generic: GenericHuman, vertices_m: Array, joints_m: Array, side: str) -> tuple[Array, Array]:
-    """Return levels (L,), rising, and how far the trunk and a hanging leg reach aside there, metres."""
+    """Return levels (L,), increasing, and the lateral extent of trunk and hanging leg there, metres."""
     long, sign = {"l": "left", "r": "right"}[side], 1.0 if side == "l" else -1.0
     hip, knee = (joints_m[generic.joint(f"{side}_{name}")] for name in ("hip", "knee"))
     trunk, thigh = vertices_m[_rows(generic, ("torso", "pelvis"))], vertices_m[_rows(generic, (f"{long}_thigh",))]

@@ -1,4 +1,4 @@
-"""Loose cloth around the legs as chains of joints that swing: skirts, and the lower part of coats and dresses."""
+"""Loose cloth around the legs as swinging joint chains: skirts, and the lower part of coats and dresses."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from cloner.generic.load import load_generic
-from cloner.motion.limbs.tails import SHORTEST_M, Tail, of_shells, passed_on
+from cloner.motion.limbs.tails import SHORTEST_M, Tail, chain_weights, search_shells
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
@@ -25,8 +25,8 @@ RADIUS_M: Final = 0.012
 
 
 def hems(clone: Clone) -> tuple[Tail, ...]:
-    """Return the chains of a clone's loose cloth, each hanging on the leg beside it; none where it ends too high."""
-    return of_shells(clone, "cloth", _chains)
+    """Return the chains of a clone's loose cloth, each attached to the leg beside it; none where it ends too high."""
+    return search_shells(clone, "cloth", _chains)
 
 
 def _chains(clone: Clone, shell: Shell, number: int) -> list[Tail]:
@@ -52,7 +52,7 @@ def _chains(clone: Clone, shell: Shell, number: int) -> list[Tail]:
 
 
 def _course(points_m: Array, top_m: float, bones: int) -> Array:
-    """Return (bones + 1, 3) the ends of a chain down one strip of cloth, metres."""
+    """Return the ends (bones + 1, 3) of a chain down one strip of cloth, metres."""
     heights = np.linspace(top_m, float(points_m[:, 1].min()), bones + 1)
     reach = 0.25 * (heights[0] - heights[1])
     flat = [points_m[np.abs(points_m[:, 1] - height) < reach][:, [0, 2]].mean(axis=0) for height in heights]
@@ -60,5 +60,5 @@ def _course(points_m: Array, top_m: float, bones: int) -> Array:
 
 
 def _along(heights_m: Array, ends_m: Array) -> Array:
-    """Return (N, B) shares of a chain's bones: none at its start, then each passes on to the next along its length."""
-    return passed_on(np.interp(-heights_m, -ends_m, np.arange(len(ends_m), dtype=np.float64)), len(ends_m) - 1)
+    """Return the weights (N, B) of a chain's bones: zero at its start, then blended from one to the next."""
+    return chain_weights(np.interp(-heights_m, -ends_m, np.arange(len(ends_m), dtype=np.float64)), len(ends_m) - 1)

@@ -1,4 +1,4 @@
-"""A skeleton that bends the person's own limbs: joints in the middle of the limbs that the photos gave.
+"""A skeleton with joints in the middle of the person's own limbs.
 
 The fit places joints by net points and outlines; slices then move the skin, and wide sleeves or trousers do not lie
 about the joints evenly. The last step before anything moves: elbows, wrists and knees go to the middle of the ring of
@@ -46,7 +46,7 @@ MOST_M: Final = 0.03
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ring:
-    """Where a plane cuts a limb of the generic human: points on its edges, in order around the limb.
+    """The section of a limb of the generic human by a plane: points on its edges, in order.
 
     Attributes
     ----------
@@ -65,7 +65,7 @@ class Ring:
 
 
 def middle(points_m: Array) -> Array:
-    """Return (3,) the middle of the area that a ring of (N, 3) points encloses, metres."""
+    """Return the centroid (3,) of the area that a ring of points (N, 3) encloses, metres."""
     centre = points_m.mean(axis=0)
     after = np.roll(points_m, -1, axis=0)
     faces = np.cross(points_m - centre, after - centre)
@@ -115,7 +115,7 @@ def _unit(vector: Array) -> Array:
 
 
 @once_each
-def centred(clone: Clone) -> Clone:
+def centre_joints(clone: Clone) -> Clone:
     """Return the clone with shoulders, elbows, wrists, knees and ankles in the middle of its own limbs.
 
     The rest pose stays as it is; every other joint stays in its place.
@@ -133,7 +133,7 @@ def centred(clone: Clone) -> Clone:
 
 
 def _to_ring(generic: GenericHuman, clone: Clone, side: str, name: str) -> Array:
-    """Return the (3,) way from a joint to the middle of its ring, metres; across the limb alone where sleeves slide."""
+    """Return the vector (3,) from a joint to its ring's centroid, metres; across the limb only where sleeves slide."""
     before, own, after = (clone.joints_m[generic.joint(f"{side}_{joint}")] for joint in RINGED[name])
     away = middle(joint_ring(side, name).points(clone.vertices_m)) - own
     along = _unit(_unit(own - before) + _unit(after - own))
@@ -141,7 +141,7 @@ def _to_ring(generic: GenericHuman, clone: Clone, side: str, name: str) -> Array
 
 
 def _to_axis(generic: GenericHuman, clone: Clone, side: str, name: str) -> Array:
-    """Return the (3,) way from a joint to where it lies beside its limb's axis in the generic human, metres."""
+    """Return the vector (3,) from a joint to its position beside the limb's axis in the generic human, metres."""
     joint = generic.joint(f"{side}_{name}")
     usual = _off_axis(generic.vertices_m.astype(np.float64), generic.joints_m[joint].astype(np.float64), side, name)
     own = _off_axis(clone.vertices_m, clone.joints_m[joint], side, name)
@@ -149,7 +149,7 @@ def _to_axis(generic: GenericHuman, clone: Clone, side: str, name: str) -> Array
 
 
 def _off_axis(vertices_m: Array, joint_m: Array, side: str, name: str) -> Array:
-    """Return the (3,) way from a joint square to its limb's axis, metres."""
+    """Return the vector (3,) from a joint perpendicular to its limb's axis, metres."""
     first, last, *shares = BY_AXIS[name]
     upper, lower = (middle(limb_ring(side, first, last, float(share)).points(vertices_m)) for share in shares)
     along = _unit(lower - upper)

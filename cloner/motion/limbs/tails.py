@@ -1,4 +1,4 @@
-"""Hair that hangs free of the head, as a chain of joints that swings: tails and plaits of a finished clone."""
+"""Free-hanging hair as swinging joint chains: tails and plaits of a finished clone."""
 
 from __future__ import annotations
 
@@ -61,11 +61,11 @@ class Tail:
 
 def tails(clone: Clone) -> tuple[Tail, ...]:
     """Return the tails of a clone; none where hair is short or hangs loose."""
-    return of_shells(clone, "hair", _tails)
+    return search_shells(clone, "hair", _tails)
 
 
-def of_shells(clone: Clone, kind: str, find: Callable[[Clone, Shell, int], list[Tail]]) -> tuple[Tail, ...]:
-    """Return what a search finds on a clone's shells of one kind; it takes the clone, the shell and its place."""
+def search_shells(clone: Clone, kind: str, find: Callable[[Clone, Shell, int], list[Tail]]) -> tuple[Tail, ...]:
+    """Return the results of a search on a clone's shells of one kind; it takes the clone, the shell and its index."""
     shells = [(number, shell) for number, shell in enumerate(clone.shells) if shell.kind == kind]
     return tuple(tail for number, shell in shells for tail in find(clone, shell, number))
 
@@ -136,7 +136,7 @@ def _from_axis(points_m: Array) -> Array:
 
 
 def _shares(points_m: Array, ends_m: Array) -> Array:
-    """Return (N, B) shares of the bones: each carries its own middle alone and passes on to the next along its length.
+    """Return the weights (N, B) of the bones: each carries its own middle alone and blends into the next.
 
     At the chain's start nothing is carried by it, so that the seam to the head's hair stays closed.
     """
@@ -145,11 +145,13 @@ def _shares(points_m: Array, ends_m: Array) -> Array:
     share = np.clip(share, 0.0, 1.0)
     away = np.linalg.norm(points_m[:, None] - first - share[..., None] * way, axis=2)
     nearest = away.argmin(axis=1)
-    return passed_on(nearest + share[np.arange(len(points_m)), nearest], len(way))
+    return chain_weights(nearest + share[np.arange(len(points_m)), nearest], len(way))
 
 
-def passed_on(place: Array, bones: int) -> Array:
-    """Return (N, B) shares of a chain's bones at places (N,), in bones from its start: 1 at middles, less between."""
+def chain_weights(place: Array, bones: int) -> Array:
+    """Return the weights (N, B) of a chain's bones at positions (N,), in bones from its start: 1 at middles, less
+    between.
+    """
     middles = np.arange(bones) + 0.5
     found = np.clip(1.0 - np.abs(place[:, None] - middles), 0.0, 1.0)
     found[:, 0] = np.clip(np.minimum(2.0 * place, 1.5 - place), 0.0, 1.0)

@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 from cloner.records.arrays import Array
 
 
-def between(first: Array, second: Array) -> Array:
-    """Return (..., 3, 3) the smallest rotations that turn the directions ``first`` (..., 3) into ``second``.
+def rotations_between(first: Array, second: Array) -> Array:
+    """Return the smallest rotations (..., 3, 3) from directions ``first`` (..., 3) to ``second``.
 
     Opposite directions turn about whatever axis is square to them.
     """
@@ -38,15 +38,15 @@ def vectors(turns: Array) -> Array:
     return np.asarray(flat.reshape(*np.shape(turns)[:-2], 3))
 
 
-def about(axis: int, angles: Array) -> Array:
-    """Return (..., 3, 3) rotations about a model axis (0, 1, 2) by ``angles``, radians."""
+def rotations_about(axis: int, angles: Array) -> Array:
+    """Return rotations (..., 3, 3) about a model axis (0, 1, 2) by ``angles``, radians."""
     turning = np.zeros((*np.shape(angles), 3))
     turning[..., axis] = angles
     return matrices(turning)
 
 
-def shared(first: Array, second: Array, part: float) -> Array:
-    """Return (..., 3, 3) the rotations that lie ``part`` of the way from ``first`` to ``second``."""
+def interpolated_rotations(first: Array, second: Array, part: float) -> Array:
+    """Return the rotations (..., 3, 3) at ``part`` of the way from ``first`` to ``second``."""
     return np.asarray(first @ matrices(part * vectors(np.swapaxes(first, -1, -2) @ second)))
 
 
@@ -67,8 +67,8 @@ def local_from_world(world: Array, parents: NDArray[np.integer]) -> Array:
     return vectors(local)
 
 
-def places(world: Array, joints_m: Array, parents: NDArray[np.integer], root_m: Array) -> Array:
-    """Return (F, J, 3) places of the joints, metres, for orientations (F, J, 3, 3) and root displacements (F, 3)."""
+def joint_positions(world: Array, joints_m: Array, parents: NDArray[np.integer], root_m: Array) -> Array:
+    """Return the joints' positions (F, J, 3), metres, for orientations (F, J, 3, 3) and root displacements (F, 3)."""
     found = np.empty((len(world), len(joints_m), 3))
     for joint, parent in enumerate(parents):
         if parent < 0:

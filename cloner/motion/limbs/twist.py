@@ -1,4 +1,4 @@
-"""Hands that turn with their forearm: a limb twisted at one joint alone closes like a sweet's wrapper."""
+"""Forearm twist shared by elbow and wrist: twisted at one joint alone, a limb collapses like a candy wrapper."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FOREARM_PART: Final = 0.5
 
 
 def shared_twist(body: Body, rotations: Array) -> Array:
-    """Return the rotations with elbow and wrist sharing a hand's turn about its forearm; hands stay where they are.
+    """Return the rotations with a hand's twist about its forearm shared by elbow and wrist; hands are unchanged.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def shared_twist(body: Body, rotations: Array) -> Array:
 
 
 def twist_about(axis: Array, rotations: Array) -> Array:
-    """Return (F,) by how much (F, 3) rotation vectors turn about a unit axis, radians in -pi..pi."""
+    """Return the twist (F,) of rotation vectors (F, 3) about a unit axis, radians in -pi..pi."""
     angle = np.linalg.norm(rotations, axis=1)
     along = rotations @ axis / np.maximum(angle, 1e-12)
     twist = 2.0 * np.arctan2(np.sin(angle / 2.0) * along, np.cos(angle / 2.0))

@@ -43,7 +43,11 @@ _DOWN: Final = np.array([0.0, -1.0, 0.0])
 def look(body: Body) -> Motion:
     """Return somebody who looks at something, a hand at the chin."""
     motion, world, turn = _standing(body, LOOK_S, "look")
-    _nod(body, world, turns.about(Y, 0.10 * np.sin(turn)) @ turns.about(X, -0.06 + 0.05 * np.sin(2.0 * turn)))
+    _nod(
+        body,
+        world,
+        turns.rotations_about(Y, 0.10 * np.sin(turn)) @ turns.rotations_about(X, -0.06 + 0.05 * np.sin(2.0 * turn)),
+    )
     _reach(body, world, motion, "r", _of_head(body, world, motion, "r", (0.14, -0.30, 0.34)), (0.5, -1.0, 0.0))
     return _made(body, motion, world)
 
@@ -73,7 +77,7 @@ def pay(body: Body) -> Motion:
     """Return somebody who hands something over a counter and takes it back, eyes on the hand."""
     motion, world, turn = _standing(body, PAY_S, "pay")
     given = (0.5 - 0.5 * np.cos(turn))[:, None]
-    _nod(body, world, turns.about(X, np.full(len(turn), 0.30)))
+    _nod(body, world, turns.rotations_about(X, np.full(len(turn), 0.30)))
     near, far = (_of_shoulder(body, world, motion, "r", place) for place in ((0.05, -0.46, 0.42), (0.0, -0.38, 0.84)))
     _reach(body, world, motion, "r", near + given * (far - near), (0.3, -1.0, -0.4))
     return _made(body, motion, world)
@@ -114,24 +118,26 @@ ACTS: Final[Mapping[str, Callable[[Body], Motion]]] = MappingProxyType({
 
 
 def _wrist(body: Body, world: Array, motion: Motion, side: str) -> Array:
-    return np.asarray(turns.places(world, body.joints_m, body.parents, motion.root_m)[:, body.joint(f"{side}_wrist")])
+    return np.asarray(
+        turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)[:, body.joint(f"{side}_wrist")]
+    )
 
 
 def _bent(body: Body, world: Array, motion: Motion, share: Array) -> Motion:
     """Bend (F,) shares of a bow into the orientations; the feet stay, so the root moves, which is returned."""
     ankles = [body.joint("l_ankle"), body.joint("r_ankle")]
     legs = {one for side in SIDES for one in below(body, body.joint(f"{side}_hip"))}
-    before = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, ankles].mean(axis=1)
+    before = turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)[:, ankles].mean(axis=1)
     spine = [body.joint(name) for name in ("vl4", "vl1", "vt10", "vt6", "vt1")]
     for joint in range(len(body.joints_m)):
         if joint not in legs:
             curl = sum(joint in below(body, one) for one in spine) / len(spine)
-            world[:, joint] = turns.about(X, share * (BEND + CURL * curl)) @ world[:, joint]
+            world[:, joint] = turns.rotations_about(X, share * (BEND + CURL * curl)) @ world[:, joint]
     for side in SIDES:
         for name, lean in (("hip", -THIGH), ("knee", SHANK)):
             joint = body.joint(f"{side}_{name}")
-            world[:, joint] = turns.about(X, share * lean) @ world[:, joint]
-    after = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, ankles].mean(axis=1)
+            world[:, joint] = turns.rotations_about(X, share * lean) @ world[:, joint]
+    after = turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)[:, ankles].mean(axis=1)
     return replace(motion, root_m=motion.root_m + before - after)
 
 
@@ -162,13 +168,15 @@ def _arm_m(body: Body, side: str) -> float:
 
 def _of_head(body: Body, world: Array, motion: Motion, side: str, shares: tuple[float, float, float]) -> Array:
     """Return (F, 3) places outwards, above and before the skull base, in shares of the arm's length."""
-    head = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, body.joint("skullbase")]
+    head = turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)[:, body.joint("skullbase")]
     return head + _sided(side, shares) * _arm_m(body, side)
 
 
 def _of_shoulder(body: Body, world: Array, motion: Motion, side: str, shares: tuple[float, float, float]) -> Array:
     """Return (F, 3) places outwards, above and before the shoulder, in shares of the arm's length."""
-    shoulder = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, body.joint(f"{side}_shoulder")]
+    shoulder = turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)[
+        :, body.joint(f"{side}_shoulder")
+    ]
     return shoulder + _sided(side, shares) * _arm_m(body, side)
 
 
@@ -180,7 +188,9 @@ def _reach(
     body: Body, world: Array, motion: Motion, side: str, wrist_m: Array, elbow_way: tuple[float, float, float]
 ) -> None:
     """Bend an arm so that its wrist is at (F, 3) places, the elbow towards a way (outwards, up, ahead)."""
-    shoulder = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, body.joint(f"{side}_shoulder")]
+    shoulder = turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)[
+        :, body.joint(f"{side}_shoulder")
+    ]
     rest = [body.joints_m[body.joint(f"{side}_{name}")] for name in ("shoulder", "elbow", "wrist")]
     upper, fore = float(np.linalg.norm(rest[1] - rest[0])), float(np.linalg.norm(rest[2] - rest[1]))
     straight = wrist_m - shoulder
@@ -193,5 +203,5 @@ def _reach(
     to_elbow = upper * (cosine[:, None] * along + np.sqrt(1.0 - cosine**2)[:, None] * aside)
     to_wrist = far[:, None] * along - to_elbow
     for name, bone in (("shoulder", to_elbow), ("elbow", to_wrist)):
-        aim_limb(body, world, side, name, turns.between(np.broadcast_to(_DOWN, bone.shape), bone))
+        aim_limb(body, world, side, name, turns.rotations_between(np.broadcast_to(_DOWN, bone.shape), bone))
     follow(body, world, side)

@@ -1,4 +1,4 @@
-"""When a foot stands: its sole is near to the floor, and what it rolls over is slow against the ground."""
+"""Foot contacts: a sole near the floor, whose rolling part is slow against the ground."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ GAP_S: Final = 0.1
 SHORTEST_S: Final = 0.06
 
 
-def standing(body: Body, motion: Motion) -> tuple[Mask, Mask]:
-    """Return (F,) for the left and the right foot: does its sole stand on the floor at y = 0?"""
+def foot_contacts(body: Body, motion: Motion) -> tuple[Mask, Mask]:
+    """Return for the left and the right foot (F,) whether its sole is in contact with the floor at y = 0."""
     left, right = (
-        _without_blinks(_stands(motion, height, slip), height, motion) for height, slip in _rolling(body, motion)
+        _debounced(_stands(motion, height, slip), height, motion) for height, slip in _lowest_part(body, motion)
     )
     return left, right
 
 
-def _rolling(body: Body, motion: Motion) -> list[tuple[Array, Array]]:
+def _lowest_part(body: Body, motion: Motion) -> list[tuple[Array, Array]]:
     """Return for each foot (F,) the height of its lowest part and (F, 2) that part's slip since the last frame, m.
 
     The lowest of heel, ball and toes is what the foot rolls over; a rolling foot moves, its lowest part does not.
@@ -54,8 +54,8 @@ def _stands(motion: Motion, height: Array, slip: Array) -> Mask:
     return np.asarray((height < NEAR_M) & (slow | np.roll(slow, -1)))
 
 
-def _without_blinks(flags: Mask, height: Array, motion: Motion) -> Mask:
-    """Return the stands without short gaps, if the foot stays near to the floor, and without short stands."""
+def _debounced(flags: Mask, height: Array, motion: Motion) -> Mask:
+    """Return the contacts without short gaps, if the foot stays near the floor, and without short contacts."""
     step = float(np.diff(motion.times_s).mean())
     count = len(flags) - 1 if motion.cyclic else len(flags)
     out = flags[:count].copy()
@@ -73,15 +73,15 @@ def _without_blinks(flags: Mask, height: Array, motion: Motion) -> Mask:
     return np.concatenate([out, out[:1]]) if motion.cyclic else out
 
 
-def grounded(body: Body, motion: Motion) -> Motion:
-    """Return the motion with the root at such a height that the lower sole touches the floor in every frame."""
+def on_ground(body: Body, motion: Motion) -> Motion:
+    """Return the motion with the root at the height at which the lower sole touches the floor in every frame."""
     left, right = body.sole_points(body.world(motion), motion.root_m)
     low = np.minimum(left[..., 1].min(axis=1), right[..., 1].min(axis=1))
     return replace(motion, root_m=motion.root_m - np.outer(low, (0.0, 1.0, 0.0)))
 
 
 def cyclic_runs(flags: Mask) -> list[tuple[int, int]]:
-    """Return first and last row of every run of True in a circle; a run over the end goes on counting."""
+    """Return first and last row of every run of True in a cycle; a run over the end continues."""
     if flags.all() or not flags.any():
         return runs(flags)
     start = int(np.flatnonzero(~flags)[0])

@@ -10,7 +10,7 @@ import numpy as np
 from cloner.errors import ClonerError
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import Body
-from cloner.motion.moves.contact import runs, standing
+from cloner.motion.moves.contact import foot_contacts, runs
 from cloner.motion.moves.planting import planted
 from cloner.records.motions import Motion
 
@@ -44,7 +44,7 @@ def walk_cycle(body: Body, motion: Motion) -> Motion:
     closed = own @ turns.matrices(share[:, None, None] * gap)
     root = motion.root_m[rows] - motion.root_m[first] * (1.0, 0.0, 1.0)
     travel = root[-1] - root[0]
-    heading = turns.about(1, -np.arctan2(travel[0], travel[2]))
+    heading = turns.rotations_about(1, -np.arctan2(travel[0], travel[2]))
     root = (root - np.outer(share, travel)) @ heading.T
     closed[:, 0] = heading @ closed[:, 0]  # the root is joint 0: the walk goes to the front
     made = replace(
@@ -57,7 +57,7 @@ def walk_cycle(body: Body, motion: Motion) -> Motion:
         speed_m_s=float(np.hypot(travel[0], travel[2]) / times[-1]),
     )
     # Which foot stands when is told by the whole capture: the short piece, closed, says it less clearly.
-    left, right = (flags[rows] for flags in standing(body, motion))
+    left, right = (flags[rows] for flags in foot_contacts(body, motion))
     return planted(body, made, (left, right))
 
 
@@ -66,7 +66,7 @@ def _best_cut(body: Body, motion: Motion) -> tuple[int, int]:
     step = float(np.diff(motion.times_s).mean())
     best, cut = np.inf, (0, 0)
     pace = np.gradient(motion.rotations, axis=0)
-    for flags in standing(body, motion):
+    for flags in foot_contacts(body, motion):
         strikes = [first for first, last in runs(flags) if first > 0 and last - first >= 2]
         for first in strikes:
             for last in strikes:

@@ -23,7 +23,7 @@ from cloner.geometry.articulation.fingers import FINGERS, knuckles, palm_normal
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, NECK, SIDES, SPINE, Body, below
 from cloner.motion.limbs.twist import shared_twist
-from cloner.motion.moves.contact import grounded
+from cloner.motion.moves.contact import on_ground
 from cloner.motion.moves.planting import planted
 from cloner.motion.moves.styles import REGULAR, Style
 from cloner.records.arrays import Array
@@ -66,14 +66,14 @@ def walk(body: Body, style: Style = REGULAR) -> Motion:
     times = np.arange(style.cycle_frames + 1) / WALK_FRAMES_PER_S
     phase = times / times[-1]
     turn = 2.0 * np.pi * phase
-    pelvis = turns.about(Y, np.radians(-style.pelvis_turn_deg) * np.cos(turn)) @ turns.about(
+    pelvis = turns.rotations_about(Y, np.radians(-style.pelvis_turn_deg) * np.cos(turn)) @ turns.rotations_about(
         Z, np.radians(style.pelvis_drop_deg) * np.sin(turn)
     )
     still = np.ones(len(turn))
-    chest = turns.about(Y, np.radians(style.chest_turn_deg) * np.cos(turn)) @ turns.about(
+    chest = turns.rotations_about(Y, np.radians(style.chest_turn_deg) * np.cos(turn)) @ turns.rotations_about(
         X, np.radians(style.lean_deg) * still
     )
-    world = upright(body, pelvis, chest, turns.about(X, np.radians(style.bow_deg) * still))
+    world = upright(body, pelvis, chest, turns.rotations_about(X, np.radians(style.bow_deg) * still))
     for side, own in zip(SIDES, (phase, phase + 0.5), strict=True):
         _swing_leg(body, world, side, own, style)
         _swing_arm(body, world, side, np.cos(2.0 * np.pi * own), style)
@@ -82,7 +82,7 @@ def walk(body: Body, style: Style = REGULAR) -> Motion:
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
     name = {"regular": "walk", "run": "run"}.get(style.name, f"walk_{style.name}")
     motion = Motion(name, times, root, rotations, cyclic=True)
-    motion = _evenly_high(grounded(body, motion))
+    motion = _smooth_height(on_ground(body, motion))
     return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), stands_at(phase, style))
 
 
@@ -91,8 +91,8 @@ def stands_at(phase: Array, style: Style) -> tuple[NDArray[np.bool_], NDArray[np
     return np.mod(phase + 1e-9, 1.0) < style.stance, np.mod(phase + 0.5 + 1e-9, 1.0) < style.stance
 
 
-def _evenly_high(motion: Motion) -> Motion:
-    """Return a cyclic motion whose root goes up and down in the slow waves of `HEIGHT_WAVES` alone."""
+def _smooth_height(motion: Motion) -> Motion:
+    """Return a cyclic motion whose root height has only the slow harmonics of `HEIGHT_WAVES`."""
     waves = np.fft.rfft(motion.root_m[:-1, 1])
     kept = np.zeros_like(waves)
     kept[list(HEIGHT_WAVES)] = waves[list(HEIGHT_WAVES)]
@@ -108,7 +108,7 @@ def idle(body: Body) -> Motion:
     turn = 2.0 * np.pi * times / IDLE_S
     still = np.tile(np.eye(3), (len(times), 1, 1))
     breath = 0.012 * (1.0 - np.cos(2.0 * turn))
-    chest = turns.about(Y, 0.02 * np.sin(turn)) @ turns.about(X, -breath)
+    chest = turns.rotations_about(Y, 0.02 * np.sin(turn)) @ turns.rotations_about(X, -breath)
     world = upright(body, still, chest)
     for side in SIDES:
         sign = 1.0 if side == "l" else -1.0
@@ -116,16 +116,16 @@ def idle(body: Body) -> Motion:
         aim_limb(body, world, side, "knee", still)
         for joint in (*FOOT, "metatarsal"):
             world[:, body.joint(f"{side}_{joint}")] = still
-        out = turns.about(Z, np.full(len(times), body.arm_aside(side)) + sign * 0.5 * breath)
+        out = turns.rotations_about(Z, np.full(len(times), body.arm_aside(side)) + sign * 0.5 * breath)
         aim_limb(body, world, side, "shoulder", out)
-        aim_limb(body, world, side, "elbow", out @ turns.about(X, np.full(len(times), np.radians(-12.0))))
+        aim_limb(body, world, side, "elbow", out @ turns.rotations_about(X, np.full(len(times), np.radians(-12.0))))
         follow(body, world, side)
-    head = turns.about(Y, 0.05 * np.sin(turn + 0.7)) @ turns.about(X, 0.02 * np.sin(2.0 * turn))
+    head = turns.rotations_about(Y, 0.05 * np.sin(turn + 0.7)) @ turns.rotations_about(X, 0.02 * np.sin(2.0 * turn))
     world[:, below(body, body.joint("skullbase"))] = head[:, None]
     blinks = np.maximum(*(np.clip(1.0 - np.abs(times - at) / 0.12, 0.0, 1.0) for at in (1.7, 4.6)))
     weights = {"eyeBlinkLeft": blinks, "eyeBlinkRight": blinks}
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
-    return grounded(body, Motion("idle", times, np.zeros((len(times), 3)), rotations, weights, cyclic=True))
+    return on_ground(body, Motion("idle", times, np.zeros((len(times), 3)), rotations, weights, cyclic=True))
 
 
 def upright(body: Body, pelvis: Array, chest: Array, head: Array | None = None) -> Array:
@@ -137,10 +137,12 @@ def upright(body: Body, pelvis: Array, chest: Array, head: Array | None = None) 
     world = np.tile(np.eye(3), (len(pelvis), len(body.names), 1, 1))
     world[:, body.joint("HumanoidRoot")] = world[:, body.joint("sacroiliac")] = pelvis
     for row, name in enumerate(SPINE):
-        world[:, below(body, body.joint(name))] = turns.shared(pelvis, chest, (row + 1) / len(SPINE))[:, None]
+        world[:, below(body, body.joint(name))] = turns.interpolated_rotations(pelvis, chest, (row + 1) / len(SPINE))[
+            :, None
+        ]
     for row, name in enumerate(NECK):
         part = 1.0 - (row + 1) / len(NECK)
-        world[:, below(body, body.joint(name))] = turns.shared(head, chest, part)[:, None]
+        world[:, below(body, body.joint(name))] = turns.interpolated_rotations(head, chest, part)[:, None]
     for side in SIDES:
         world[:, below(body, body.joint(f"{side}_sternoclavicular"))] = chest[:, None]
     return world
@@ -150,7 +152,7 @@ def aim_limb(body: Body, world: Array, side: str, name: str, swing: Array) -> No
     """Turn one limb's joint so that at no ``swing`` (F, 3, 3) it hangs straight down, whatever the rest pose."""
     chain = {"hip": "knee", "knee": "ankle", "shoulder": "elbow", "elbow": "wrist"}
     joint, end = body.joint(f"{side}_{name}"), body.joint(f"{side}_{chain[name]}")
-    hanging = turns.between(body.joints_m[end] - body.joints_m[joint], np.array([0.0, -1.0, 0.0]))
+    hanging = turns.rotations_between(body.joints_m[end] - body.joints_m[joint], np.array([0.0, -1.0, 0.0]))
     world[:, joint] = swing @ hanging
 
 
@@ -165,7 +167,7 @@ def follow(body: Body, world: Array, side: str) -> None:
         vectors - np.einsum("fa,fa->f", vectors, along)[:, None] * along
         for vectors in (forearm @ palm, np.broadcast_to(inward, along.shape))
     )
-    twist = turns.between(now, wanted)
+    twist = turns.rotations_between(now, wanted)
     world[:, below(body, wrist)] = (twist @ forearm)[:, None]
     for finger in FINGERS:
         bones, axis = knuckles(body, side, finger)
@@ -183,36 +185,38 @@ def _swing_leg(body: Body, world: Array, side: str, phase: Array, style: Style) 
     sign = 1.0 if side == "l" else -1.0
     half = 0.5 * STEP_WIDTH_M * length / (0.48 * _STATURE_M)
     # straight down at most: who walks wider waddles, and trousers give way
-    aside = max(float(np.arcsin((half - abs(hip[0])) / length)), min(body.legs_out, 0.0))
-    inward = turns.about(Z, np.full(len(phase), sign * aside))
-    thigh = inward @ turns.about(X, -angle["thigh"])
+    aside = max(float(np.arcsin((half - abs(hip[0])) / length)), min(body.leg_clearance_rad, 0.0))
+    inward = turns.rotations_about(Z, np.full(len(phase), sign * aside))
+    thigh = inward @ turns.rotations_about(X, -angle["thigh"])
     aim_limb(body, world, side, "hip", thigh)
-    aim_limb(body, world, side, "knee", thigh @ turns.about(X, angle["knee"]))
+    aim_limb(body, world, side, "knee", thigh @ turns.rotations_about(X, angle["knee"]))
     toe = body.joints_m[body.joint(f"{side}_metatarsal")] - ankle
     outward = np.arctan2(toe[0], toe[2])
-    turned = turns.about(Y, np.full(len(phase), sign * np.radians(TOE_OUT_DEG) - outward))
+    turned = turns.rotations_about(Y, np.full(len(phase), sign * np.radians(TOE_OUT_DEG) - outward))
     foot = (
         turned
-        @ turns.about(Y, np.full(len(phase), outward))
-        @ turns.about(X, -angle["foot"])
-        @ turns.about(Y, np.full(len(phase), -outward))
+        @ turns.rotations_about(Y, np.full(len(phase), outward))
+        @ turns.rotations_about(X, -angle["foot"])
+        @ turns.rotations_about(Y, np.full(len(phase), -outward))
     )
     for name in FOOT:
         world[:, body.joint(f"{side}_{name}")] = foot
-    world[:, body.joint(f"{side}_metatarsal")] = foot @ turns.about(X, -angle["toes"])
+    world[:, body.joint(f"{side}_metatarsal")] = foot @ turns.rotations_about(X, -angle["toes"])
 
 
 def _swing_arm(body: Body, world: Array, side: str, back: Array, style: Style) -> None:
     """Swing an arm against its own leg: ``back`` (F,) is 1 at its heel strike."""
     if style.shrug_deg:
-        raised = turns.about(Z, np.full(len(back), np.radians(style.shrug_deg) * (1.0 if side == "l" else -1.0)))
+        raised = turns.rotations_about(
+            Z, np.full(len(back), np.radians(style.shrug_deg) * (1.0 if side == "l" else -1.0))
+        )
         collar = body.joint(f"{side}_sternoclavicular")
         world[:, below(body, collar)] = (raised @ world[:, collar])[:, None]
-    out = turns.about(Z, np.full(len(back), body.arm_aside(side)))
+    out = turns.rotations_about(Z, np.full(len(back), body.arm_aside(side)))
     forward = np.radians(style.arm_deg) * (-back - 0.1)
     bent = np.radians(np.interp(-back, (-1.0, 1.0), style.elbow_deg))
-    aim_limb(body, world, side, "shoulder", out @ turns.about(X, -forward))
-    aim_limb(body, world, side, "elbow", out @ turns.about(X, -forward - bent))
+    aim_limb(body, world, side, "shoulder", out @ turns.rotations_about(X, -forward))
+    aim_limb(body, world, side, "elbow", out @ turns.rotations_about(X, -forward - bent))
     follow(body, world, side)
 
 

@@ -17,7 +17,7 @@ from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from cloner.geometry.meshes.vectors import unit
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body
-from cloner.motion.moves.contact import Mask, cyclic_runs, runs, standing
+from cloner.motion.moves.contact import Mask, cyclic_runs, foot_contacts, runs
 from cloner.records.arrays import Array
 from cloner.records.motions import Motion
 
@@ -49,14 +49,14 @@ def planted(body: Body, motion: Motion, stands: tuple[Mask, Mask] | None = None,
     straight : int
         For so many frames a foot goes straight up from where it stood and straight down to where it will.
     """
-    stands = standing(body, motion) if stands is None else stands
+    stands = foot_contacts(body, motion) if stands is None else stands
     world = body.world(motion)
-    where = turns.places(world, body.joints_m, body.parents, motion.root_m)
+    where = turns.joint_positions(world, body.joints_m, body.parents, motion.root_m)
     goals = []
     for side, own, sole in zip(SIDES, stands, body.sole_points(world, motion.root_m), strict=True):
         goals.append(where[:, body.joint(f"{side}_ankle")] + _corrections(motion, own, sole, straight))
     root = motion.root_m - np.outer(_lowered(body, motion, where, goals), (0.0, 1.0, 0.0))
-    where = turns.places(world, body.joints_m, body.parents, root)
+    where = turns.joint_positions(world, body.joints_m, body.parents, root)
     for side, goal in zip(SIDES, goals, strict=True):
         world = _legs_reaching(body, world, where, side, goal)
     return replace(motion, root_m=root, rotations=turns.local_from_world(world, body.parents))
@@ -181,6 +181,6 @@ def _legs_reaching(body: Body, world: Array, where: Array, side: str, goal: Arra
     new_upper = first[:, None] * (cosine[:, None] * along + np.sqrt(1.0 - cosine**2)[:, None] * bend)
     new_lower = reach[:, None] * along - new_upper
     turned = world.copy()
-    turned[:, hip] = turns.between(upper, new_upper) @ world[:, hip]
-    turned[:, knee] = turns.between(lower, new_lower) @ world[:, knee]
+    turned[:, hip] = turns.rotations_between(upper, new_upper) @ world[:, hip]
+    turned[:, knee] = turns.rotations_between(lower, new_lower) @ world[:, knee]
     return turned

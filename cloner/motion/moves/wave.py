@@ -35,9 +35,9 @@ def wave(body: Body) -> Motion:
     hanging = abs(body.arm_aside("r"))
     upper = np.radians(LIFTED_DEG) * share + hanging * (1.0 - share)
     fore = np.radians(UPRIGHT_DEG) * share + hanging * (1.0 - share) + np.radians(SWING_DEG) * swing
-    ahead = turns.about(X, -np.radians(FORWARD_DEG) * share - np.radians(12.0) * (1.0 - share))
-    aim_limb(body, world, "r", "shoulder", turns.about(Z, -upper))
-    aim_limb(body, world, "r", "elbow", ahead @ turns.about(Z, -fore))
+    ahead = turns.rotations_about(X, -np.radians(FORWARD_DEG) * share - np.radians(12.0) * (1.0 - share))
+    aim_limb(body, world, "r", "shoulder", turns.rotations_about(Z, -upper))
+    aim_limb(body, world, "r", "elbow", ahead @ turns.rotations_about(Z, -fore))
     _show_palm(body, world, share)
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
     return replace(standing, name="wave", rotations=rotations)
@@ -55,4 +55,4 @@ def _show_palm(body: Body, world: Array, share: Array) -> None:
         vectors - np.einsum("fa,fa->f", vectors, along)[:, None] * along
         for vectors in (forearm @ palm_normal(body, "r"), aim)
     )
-    world[:, below(body, wrist)] = (turns.between(now, wanted) @ forearm)[:, None]
+    world[:, below(body, wrist)] = (turns.rotations_between(now, wanted) @ forearm)[:, None]

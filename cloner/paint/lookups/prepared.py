@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.generic.seen_points import stance
+from cloner.generic.seen_points import combined_pose
 from cloner.labels.glasses import glasses_frame
 from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
@@ -81,7 +81,7 @@ def matted_photo(
         mask,
         proposal.labels,
         proposal.face_px if frontal else None,
-        stance(proposal) if view is ViewId.BODY_SIDE else None,
+        combined_pose(proposal) if view is ViewId.BODY_SIDE else None,
         skin,
     )
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.face_grids import mouth_grid
-from cloner.generic.lip_steps import SHARE, to_borders
+from cloner.generic.lip_steps import SHARE, drop_from_borders
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.generic.surfaces import body_triangles
@@ -138,7 +138,9 @@ def make_source(
     lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
     if plate.lips_px is not None:
         grid = mouth_grid()
-        lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], lip_colour_edges(plate.lips_px))
+        lookup[grid.rings, 1] += SHARE[:, None] * drop_from_borders(
+            grid, lookup[grid.rings], lip_colour_edges(plate.lips_px)
+        )
     rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
     hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1

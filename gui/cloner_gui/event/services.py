@@ -22,7 +22,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Corrections, ViewPoints
 
 if TYPE_CHECKING:
-    from cloner.interactive.refitting import Refitted
+    from cloner.interactive.refitting import RefittedBody
     from cloner.records.clones import Clone
 
 ProposedPoints = dict[ViewId, ViewPoints]
@@ -31,18 +31,20 @@ Studio = Callable[..., object]
 STUDIO: Final = "cloner.booth.studio.jobs:StudioJobs"
 
 
-def refit_person(values: Mapping[str, object], corrections: Corrections) -> Refitted:
-    """Return the last clone's body with corrections obeyed; see `cloner.interactive.refitting.refit`."""
-    from cloner.interactive.refitting import refit  # the whole fit: not paid for before there is something to refit
+def refit_person(values: Mapping[str, object], corrections: Corrections) -> RefittedBody:
+    """Return the last clone's body with corrections obeyed; see `cloner.interactive.refitting.refit_body`."""
+    from cloner.interactive.refitting import (
+        refit_body,  # the whole fit: not paid for before there is something to refit
+    )
 
-    return refit(values, corrections)
+    return refit_body(values, corrections)
 
 
 def refitted_clone(
-    refit: Callable[[Mapping[str, object], Corrections], Refitted],
+    refit: Callable[[Mapping[str, object], Corrections], RefittedBody],
     values: Mapping[str, object],
     corrections: Corrections,
-) -> tuple[Refitted, Clone]:
+) -> tuple[RefittedBody, Clone]:
     """Return the last clone's body with corrections obeyed, and the clone with that body."""
     from cloner.interactive.refitting import clone_after
 
@@ -109,7 +111,7 @@ class Services:
     open: Callable[[Path], Opened] = open_visitor
     pack: Callable[[Path, Path, Progress], Path] = pack_parcel
     stroll: Callable[[Path, Path, Progress], Path] = draw_stroll
-    refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit_person
+    refit: Callable[[Mapping[str, object], Corrections], RefittedBody] = refit_person
     studio: Studio = no_studio
     start: Callable[[], None] = nothing
     stop: Callable[[], None] = nothing

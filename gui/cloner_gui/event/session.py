@@ -32,7 +32,7 @@ from cloner_gui.language.point_names import spoken
 from cloner_gui.language.words import translate
 
 if TYPE_CHECKING:
-    from cloner.interactive.refitting import Refitted
+    from cloner.interactive.refitting import RefittedBody
 
 log = logging.getLogger(__name__)
 
@@ -70,7 +70,7 @@ class Session(QObject):
         self.corrections = no_corrections()
         self.proposed: ProposedPoints = {}
         self.outcome: Cloned | None = None
-        self.moved: Refitted | None = None
+        self.moved: RefittedBody | None = None
         self._moved_clone: Clone | None = None
         self.warnings: tuple[str, ...] = ()
         self.undo_stack = QUndoStack(self)
@@ -173,7 +173,7 @@ class Session(QObject):
         work = functools.partial(refitted_clone, self.services.refit, outcome.values, self.corrections)
         newest().ask(self, "refit", work, functools.partial(self._take_refit, outcome), self.failed.emit)
 
-    def _take_refit(self, outcome: Cloned, found: tuple[Refitted, Clone]) -> None:
+    def _take_refit(self, outcome: Cloned, found: tuple[RefittedBody, Clone]) -> None:
         if outcome is self.outcome:
             self.moved, self._moved_clone = found
             self.refitted.emit()

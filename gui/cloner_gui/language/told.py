@@ -18,7 +18,7 @@ from cloner_gui.language.told_studio import STUDIO_SENTENCES
 from cloner_gui.language.words import VIEW_TITLES, Spoken, translate
 
 if TYPE_CHECKING:
-    from cloner.interactive.refitting import Refitted
+    from cloner.interactive.refitting import RefittedBody
 
 
 #: All that the library may say in the window.
@@ -93,7 +93,7 @@ def told_problem(problem: str) -> str:
     return told_error(ClonerError(message, hint, where)) if hint else problem
 
 
-def spoken_refit(refitted: Refitted) -> str:
+def spoken_refit(refitted: RefittedBody) -> str:
     """Return what became of the corrected points on the last clone's body."""
     failed = [
         f"{VIEW_TITLES[one.view]}, {spoken(one.name)}: {told(one.note)}." for one in refitted.obeyed if one.is_missed

@@ -23,7 +23,7 @@ from cloner.crowd.clones.flowing import decomposed
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.levels import BodyLevels, body_levels
 from cloner.errors import ClonerError
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.pipeline import quiet
 from cloner.project.clone_file import load_clone, save_clone
@@ -38,7 +38,7 @@ def eva() -> Clone:
 
 @pytest.fixture(scope="module")
 def walking(eva: Clone) -> Dressed:
-    clone = centred(eva)
+    clone = centre_joints(eva)
     pattern = draft(BLOCKS["skirt"], body_ring(clone, "natural_waist").girth_m, 0.5)
     return dressed(clone, pattern, "natural_waist", FABRICS["silk"], own_motions(clone)[0], cycles=4, step_m=0.04)
 
@@ -56,7 +56,7 @@ def result(eva: Clone, walking: Dressed, tmp_path_factory: pytest.TempPathFactor
 def cast(result: Path) -> tuple[Cast, Clone, BodyLevels]:
     clone, body = load_clone(result / "clone.npz"), body_levels()
     flow = load_flow(result, clone)
-    return cast_of("eva", centred(clone), body, poses=16, flow=flow), clone, body
+    return cast_of("eva", centre_joints(clone), body, poses=16, flow=flow), clone, body
 
 
 def test_the_result_wears_its_garment_and_keeps_how_it_flows(result: Path, walking: Dressed) -> None:
@@ -132,7 +132,7 @@ def test_cloth_flows_in_a_crowd_as_it_was_simulated(cast: tuple[Cast, Clone, Bod
 
 def test_covered_skin_lies_deeper_and_the_garment_has_its_own_look(cast: tuple[Cast, Clone, BodyLevels]) -> None:
     made, clone, body = cast
-    moved = np.linalg.norm(made.vertices_m - centred(clone).vertices_m[body.vertex], axis=1)
+    moved = np.linalg.norm(made.vertices_m - centre_joints(clone).vertices_m[body.vertex], axis=1)
     assert moved.max() == pytest.approx(0.02, abs=1e-3)
     assert 0.02 < (moved > 0.01).mean() < 0.5
     assert made.hung == "bottom"

@@ -25,7 +25,7 @@ from cloner.cloth.written import dress_file
 from cloner.errors import Cancelled, ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.project.clone_file import save_clone
 from cloner.records.clones import Clone
@@ -33,7 +33,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centred(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.moving import put_on, simulate
 from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 
@@ -54,7 +54,7 @@ def draft(folder: Path, parts: dict[str, str], notches: str = NOTCHES) -> Path:
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centred(clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512))
 
 
 @pytest.fixture(scope="module")

@@ -21,14 +21,14 @@ from cloner.cloth.simulation.moving import put_on, simulate
 from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.crossings import self_crossings
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centred(clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512))
 
 
 @pytest.fixture(scope="module")

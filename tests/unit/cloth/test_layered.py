@@ -20,7 +20,7 @@ from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.layered import Under
 from cloner.errors import ClonerError
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.flow_file import load_flow
@@ -29,7 +29,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centred(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
 
 
 @pytest.fixture(scope="module")

@@ -18,7 +18,7 @@ from cloner.cloth.simulation.moving import put_on, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.written import dress_file
 from cloner.errors import Cancelled
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.project.clone_file import save_clone
 from cloner.records.clones import Clone
@@ -26,7 +26,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centred(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
 
 
 def skirt(eva: Clone, path: Path | None, fabric: str = "cotton") -> Dressing:

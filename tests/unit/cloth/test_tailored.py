@@ -24,7 +24,7 @@ from cloner.cloth.simulation.solver import strains
 from cloner.cloth.simulation.wrapping import _spans
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 
@@ -43,7 +43,7 @@ PEOPLE = {
 
 @pytest.fixture(scope="module")
 def people() -> dict[str, Clone]:
-    return {name: centred(clone_of_measures(told, 512)) for name, told in PEOPLE.items()}
+    return {name: centre_joints(clone_of_measures(told, 512)) for name, told in PEOPLE.items()}
 
 
 def borders(cloth: Cloth) -> int:

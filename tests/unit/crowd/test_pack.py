@@ -28,7 +28,7 @@ from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.acts import ACTS
 from cloner.motion.moves.gait import walk
 from cloner.motion.moves.slide import RULER_HZ, step_slides_m
@@ -104,7 +104,7 @@ def test_vertex_animation_decodes_to_the_skinned_walk(pack: Path, results: Path)
     frames, told = remap["os-remap"]["Frames"], remap["os-remap"]
     assert image.shape[0] == 2 * frames
     clip = remap["animations"]["walk"]
-    clone = centred(load_clone(results / "ada" / CLONE_FILE))
+    clone = centre_joints(load_clone(results / "ada" / CLONE_FILE))
     motion = walked(body_of(clone), REGULAR)
     generic, body = load_generic(), body_levels()
     count = body.counts[LEVEL]
@@ -127,7 +127,7 @@ def test_vertex_animation_decodes_to_the_skinned_walk(pack: Path, results: Path)
 @pytest.mark.parametrize("style", STYLES.values(), ids=STYLES)
 def test_standing_feet_slide_by_millimetres_between_the_frames_that_are_shown(results: Path, style: Style) -> None:
     """Strictly, at the crowd's own 48 frames a cycle: planted between others they slid by 17 mm."""
-    body = body_of(centred(load_clone(results / "ada" / CLONE_FILE)))
+    body = body_of(centre_joints(load_clone(results / "ada" / CLONE_FILE)))
     motion, dense = walked(body, style), walk(body, style)
     assert motion.speed_m_s > 0.8
     slid = step_slides_m(body, replace(motion, times_s=np.arange(49) / RULER_HZ,

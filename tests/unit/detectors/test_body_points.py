@@ -9,7 +9,7 @@ import pytest
 from cloner.detectors.body.body_points import propose_body_points
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
-from cloner.generic.body_net import base_place
+from cloner.generic.body_net import base_position
 from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES
 from cloner.records.labels import Label
@@ -57,7 +57,7 @@ def test_joints_are_proposed_where_the_label_net_sees_them(shown, view):
     mask, pose, camera, vertices, joints = shown[view]
     given, generic = known_net.proposal(view, mask, pose), load_generic()
     before = propose_body_points(given)
-    under = camera.project(np.array([base_place(generic, name, vertices, joints) for name in NAMES]))
+    under = camera.project(np.array([base_position(generic, name, vertices, joints) for name in NAMES]))
     after = propose_body_points(replace(given, seen_px=under))
     assert after.names == before.names
     told = [name in net.JOINTS for name in after.names]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.detectors.taught import errors_in_view
-from cloner.editing.order import worth_first
+from cloner.editing.order import by_expected_gain
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, confidence_of, face_confidence
 
@@ -23,7 +23,7 @@ def body(*confidence):
 
 
 def order(*sets):
-    return worth_first({one.view: one for one in sets})
+    return by_expected_gain({one.view: one for one in sets})
 
 
 def test_every_point_comes_once_and_placed_ones_last():

@@ -9,7 +9,7 @@ from scipy.spatial import ConvexHull, cKDTree
 from cloner.body.feet import close_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles, surface_normals
-from cloner.generic.toes import evened_tips
+from cloner.generic.toes import smooth_shoe_tips
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.bodies import BodyMesh
 
@@ -88,7 +88,7 @@ def _notched_mm2(points: np.ndarray) -> float:
 
 def test_a_shoes_tip_is_smooth_as_long_as_before_and_stands_on_the_floor() -> None:
     rough = _crumpled()
-    smooth = evened_tips(rough)
+    smooth = smooth_shoe_tips(rough)
     assert _notched_mm2(smooth) < 0.2 * _notched_mm2(rough)
     tips = [np.percentile(points[_toes(), 2], 95.0) for points in (smooth, rough)]
     assert abs(tips[0] - tips[1]) < 0.004, "metres; a hull's edges are sharper than those of fitted shoes"
@@ -98,8 +98,8 @@ def test_a_shoes_tip_is_smooth_as_long_as_before_and_stands_on_the_floor() -> No
 
 def test_only_tips_of_shoes_are_evened() -> None:
     bare, generic = np.asarray(load_generic().vertices_m, float), load_generic()
-    assert np.array_equal(evened_tips(bare), bare)
+    assert np.array_equal(smooth_shoe_tips(bare), bare)
     rough, joints = _crumpled(), [generic.joint(f"{side}_metatarsal") for side in "lr"]
     carried = np.where(np.isin(generic.skin_joints, joints), generic.skin_weights, 0.0).sum(axis=1)
     rest = carried <= 0.05
-    assert np.array_equal(evened_tips(rough)[rest], rough[rest])
+    assert np.array_equal(smooth_shoe_tips(rough)[rest], rough[rest])

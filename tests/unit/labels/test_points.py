@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.generic.seen_points import NAMES, kind_and_side
+from cloner.generic.seen_points import NAMES, kind_and_aspect
 from cloner.labels.points import locate_points
 from cloner.vision.photographs.crops import Crop
 
@@ -75,4 +75,4 @@ def test_maps_that_hold_both_sides_give_one_point_each() -> None:
     ],
 )
 def test_what_a_photo_shows_of_a_point(name: str, shown: str, kind: str, side: str) -> None:
-    assert kind_and_side(name, shown) == (kind, side)
+    assert kind_and_aspect(name, shown) == (kind, side)

@@ -9,7 +9,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.measure.covering import covers, ending
+from cloner.measure.covering import covered_slices, find_covers
 from cloner.records.labels import Label
 from cloner.records.measures import Cover
 from cloner.records.points import Proposals
@@ -39,7 +39,7 @@ def told(sleeve: float, leg: float) -> dict[str, Cover]:
         picture, mask = painted.photograph(fit, np.repeat(kinds[:, None] * 20.0, 3, axis=1), view)
         labels = np.where(mask, np.rint(picture[..., 0] / 20.0), 0).astype(np.uint8)
         proposals[ViewId(view)] = replace(studio.empty_proposal(view, mask), labels=labels)
-    return covers(Proposals(proposals), fit)
+    return find_covers(Proposals(proposals), fit)
 
 
 @pytest.mark.parametrize(("sleeve", "leg"), [(0.3, 1.0), (1.0, 0.5), (0.0, 0.25)])
@@ -58,13 +58,13 @@ def test_sleeves_and_legs_end_where_they_are_labelled(sleeve: float, leg: float)
 def test_a_photo_that_shows_nobody_tells_nothing() -> None:
     fit = painted.joined(people.known_person(5, stature_m=1.7), {view: people.known_pose(3) for view in VIEWS})
     nobody = studio.empty_proposal("body_front", np.zeros((300, 200), np.bool_))
-    assert covers(Proposals({ViewId("body_front"): nobody}), fit) == {}
+    assert find_covers(Proposals({ViewId("body_front"): nobody}), fit) == {}
 
 
 def test_ends_follow_the_colours_with_the_fewest_exceptions() -> None:
     nan = np.nan
-    assert ending(np.array([0.0, 0.1, 0.9, 0.2, 1.0, 1.0])) == [True, True, False, False, False, False]
-    assert ending(np.array([0.0, nan, nan, 1.0])) == [True, False, False, False]
-    assert ending(np.array([1.0, 1.0, 1.0, 0.0])) == [False, False, False, True], "a sock"
-    assert ending(np.full(3, nan)) == [None] * 3
-    assert ending(np.zeros(4)) == [True] * 4
+    assert covered_slices(np.array([0.0, 0.1, 0.9, 0.2, 1.0, 1.0])) == [True, True, False, False, False, False]
+    assert covered_slices(np.array([0.0, nan, nan, 1.0])) == [True, False, False, False]
+    assert covered_slices(np.array([1.0, 1.0, 1.0, 0.0])) == [False, False, False, True], "a sock"
+    assert covered_slices(np.full(3, nan)) == [None] * 3
+    assert covered_slices(np.zeros(4)) == [True] * 4

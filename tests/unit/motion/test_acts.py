@@ -9,7 +9,7 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.body import SIDES, Body, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.acts import ACTS
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
@@ -22,7 +22,7 @@ def body(request: pytest.FixtureRequest) -> Body:
     vertices, joints = load_generic().shape(
         np.random.default_rng(round(100 * request.param)).normal(size=20), request.param
     )
-    return body_of(centred(replace(toy_clone(request.param, hair=False), vertices_m=vertices, joints_m=joints)))
+    return body_of(centre_joints(replace(toy_clone(request.param, hair=False), vertices_m=vertices, joints_m=joints)))
 
 
 def of(body: Body, motion: Motion, name: str) -> np.ndarray:

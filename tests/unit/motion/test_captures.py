@@ -16,7 +16,7 @@ from cloner.motion.captures.anatomy import find_anatomy, plain
 from cloner.motion.captures.bvh import parse_bvh, read_bvh
 from cloner.motion.captures.retarget import retarget
 from cloner.motion.limbs.body import Body, body_of
-from cloner.motion.limbs.turns import about, matrices, vectors
+from cloner.motion.limbs.turns import matrices, rotations_about, vectors
 from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.gait import walk
 from cloner.motion.moves.slide import step_slides_m
@@ -61,8 +61,8 @@ def test_numbers_of_a_small_file_are_the_ones_by_hand() -> None:
     assert capture.ends[1].tolist() == [0, 5, 0]
     assert capture.root.tolist() == [[1, 2, 3], [1, 2, 4]]
     assert capture.frame_s == 0.1
-    assert np.allclose(capture.local[1, 0], about(2, np.pi / 2))
-    assert np.allclose(capture.world()[1, 1], about(2, np.pi / 2) @ about(0, np.pi / 2))
+    assert np.allclose(capture.local[1, 0], rotations_about(2, np.pi / 2))
+    assert np.allclose(capture.world()[1, 1], rotations_about(2, np.pi / 2) @ rotations_about(0, np.pi / 2))
 
 
 @pytest.mark.parametrize(
@@ -271,10 +271,10 @@ def test_an_acclaim_capture_of_two_bones_is_the_one_by_hand(tmp_path: Path) -> N
     assert capture.offsets.tolist() == [[0, 0, 0], [0, 0, 0], [4, 0, 0]], "a knee lies at the end of its thigh"
     assert capture.ends[2].tolist() == [0, 5, 0]
     assert capture.root.tolist() == [[1, 2, 3], [1, 2, 3]]
-    assert np.allclose(capture.local[0, 0], about(2, np.pi / 2))
+    assert np.allclose(capture.local[0, 0], rotations_about(2, np.pi / 2))
     # the thigh's own first axis is our second one: its axes are turned by 90 degrees about the third
-    assert np.allclose(capture.local[1, 1], about(1, np.pi / 2))
-    assert np.allclose(capture.world()[1, 2], about(1, np.pi / 2) @ about(0, np.pi / 6))
+    assert np.allclose(capture.local[1, 1], rotations_about(1, np.pi / 2))
+    assert np.allclose(capture.world()[1, 2], rotations_about(1, np.pi / 2) @ rotations_about(0, np.pi / 6))
 
 
 @pytest.mark.parametrize(
@@ -324,7 +324,9 @@ def test_a_capture_of_a_head_that_rests_looking_up_is_levelled(body: Body) -> No
     motion = walk(body)
     rotations = motion.rotations.copy()
     head = body.joint("skullbase")
-    rotations[:, head] = vectors(matrices(rotations[:, head]) @ about(0, np.full(len(rotations), np.radians(-22.0))))
+    rotations[:, head] = vectors(
+        matrices(rotations[:, head]) @ rotations_about(0, np.full(len(rotations), np.radians(-22.0)))
+    )
     askew = replace(motion, rotations=rotations)
     back = retarget(parse_bvh(as_bvh(body, askew, scale=1.0, up="y")), body, name="back")
     ahead = body.world(back)[:, head, :, 2]

@@ -12,7 +12,7 @@ from cloner.geometry.articulation.skinning import joint_transforms, linear_blend
 from cloner.motion.flesh.rest import hanging_pose, t_pose
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.clearance import LEAST_DEG, MOST_DEG
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.gait import walk
 from kit.clones import toy_clone
 
@@ -24,7 +24,7 @@ def widened(factor):
     share = generic.segment_weights[:, [generic.segment_names.index(name) for name in ("torso", "pelvis")]].sum(axis=1)
     vertices = clone.vertices_m.copy()
     vertices[:, 0] *= 1.0 + (factor - 1.0) * share
-    return centred(replace(clone, vertices_m=vertices))
+    return centre_joints(replace(clone, vertices_m=vertices))
 
 
 def posed(clone, rotations):
@@ -41,7 +41,7 @@ def skin_only():
 
 
 def test_wider_people_hold_their_arms_farther_out():
-    angles = [np.degrees(body_of(widened(factor)).arms_out) for factor in (0.9, 1.0, 1.15, 1.6)]
+    angles = [np.degrees(body_of(widened(factor)).arm_clearance_rad) for factor in (0.9, 1.0, 1.15, 1.6)]
     assert angles == sorted(angles)
     assert angles[0] < angles[2]
     assert all(LEAST_DEG - 1e-9 <= angle <= MOST_DEG + 1e-9 for angle in angles)
@@ -68,7 +68,7 @@ def test_wide_trouser_legs_stand_apart_and_slim_ones_straight():
         share = generic.segment_weights[:, row].astype(float)
         vertices[:, 0] += 0.25 * share * (vertices[:, 0] - slim.joints_m[joint, 0])
     wide = replace(slim, vertices_m=vertices)
-    assert body_of(slim).legs_out < body_of(wide).legs_out
+    assert body_of(slim).leg_clearance_rad < body_of(wide).leg_clearance_rad
     for clone, most_m in ((slim, 0.25), (wide, 0.45)):
         points = posed(clone, t_pose(body_of(clone)))
         heels = points[[generic.feature("heel_left"), generic.feature("heel_right")], 0]

@@ -11,11 +11,11 @@ from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.geometry.articulation.dual import dual_quaternion_skinning
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.motion.flesh.bending import BENDS, Flesh, bent, flesh
-from cloner.motion.flesh.correctives import corrected, driven
+from cloner.motion.flesh.bending import BENDS, Flesh, bent_rotations, flesh
+from cloner.motion.flesh.correctives import drive_correctives, with_correctives
 from cloner.motion.flesh.rest import in_t_pose
 from cloner.motion.limbs.body import body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
 
@@ -44,17 +44,17 @@ def test_the_volume_of_a_box_without_lid_and_bottom() -> None:
 
 @pytest.mark.parametrize("t_pose", [False, True], ids=["A", "T"])
 def test_every_joint_keeps_its_flesh_over_its_range(t_pose: bool) -> None:
-    clone, generic = centred(toy_clone(1.70)), load_generic()
+    clone, generic = centre_joints(toy_clone(1.70)), load_generic()
     clone = in_t_pose(clone) if t_pose else clone
-    body, (shaped, drivers) = body_of(clone), corrected(clone)
+    body, (shaped, drivers) = body_of(clone), with_correctives(clone)
     offsets = {name: own.copy() for name, own in target_offsets(shaped) if name.startswith("corrective")}
     joints, weights = generic.skin_joints.astype(np.int64), generic.skin_weights.astype(np.float64)
     lost = 0.0
     for bend in BENDS:
         around, angles = flesh("r", bend.joint), np.linspace(bend.degrees[0], bend.degrees[-1], 13)
         rest = around.volume(clone.vertices_m[around.rows])
-        poses = bent(body, "r", bend, angles)
-        motion = driven(Motion("bend", np.arange(13.0), np.zeros((13, 3)), poses), drivers)
+        poses = bent_rotations(body, "r", bend, angles)
+        motion = drive_correctives(Motion("bend", np.arange(13.0), np.zeros((13, 3)), poses), drivers)
         for frame, degrees in enumerate(angles):
             transforms = joint_transforms(clone.joints_m, body.parents, poses[frame])
             points = clone.vertices_m + sum(motion.weights[name][frame] * own[:-1] for name, own in offsets.items())
@@ -66,9 +66,9 @@ def test_every_joint_keeps_its_flesh_over_its_range(t_pose: bool) -> None:
 
 
 def test_at_rest_nothing_is_corrected_and_the_face_s_targets_stay() -> None:
-    clone = centred(toy_clone(1.70))
-    shaped, drivers = corrected(clone)
-    still = driven(Motion("still", np.zeros(1), np.zeros((1, 3)), np.zeros((1, 94, 3))), drivers)
+    clone = centre_joints(toy_clone(1.70))
+    shaped, drivers = with_correctives(clone)
+    still = drive_correctives(Motion("still", np.zeros(1), np.zeros((1, 3)), np.zeros((1, 94, 3))), drivers)
     assert max(float(np.abs(values).max()) for values in still.weights.values()) < 1e-6
     assert shaped.morph_names[: len(clone.morph_names)] == clone.morph_names
     assert (shaped.morph_delta_m[: len(clone.morph_delta_m)] == clone.morph_delta_m).all()
@@ -77,5 +77,5 @@ def test_at_rest_nothing_is_corrected_and_the_face_s_targets_stay() -> None:
 def test_below_a_skirt_neither_hip_nor_knee_is_corrected() -> None:
     clone = toy_clone(1.70)
     skirt = replace(clone.shells[0], kind="cloth")
-    _, drivers = corrected(replace(clone, shells=(skirt,)))
+    _, drivers = with_correctives(replace(clone, shells=(skirt,)))
     assert {driver.joint[2:] for driver in drivers} == {"shoulder", "elbow"}

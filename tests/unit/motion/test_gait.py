@@ -9,7 +9,7 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.body import SIDES, Body, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves import contact
 from cloner.motion.moves.gait import idle, walk
 from cloner.motion.moves.slide import step_slides_m
@@ -30,7 +30,7 @@ def body(request) -> Body:
     if request.param == "mean":
         return body_of(toy_clone())
     stature = 1.10 if request.param == "child" else request.param
-    return body_of(centred(of_random_shape(stature, round(100 * stature))))
+    return body_of(centre_joints(of_random_shape(stature, round(100 * stature))))
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def test_standing_feet_go_with_the_ground_at_the_speed_of_a_walk(body: Body, wal
     assert len(slid) == 2, "a left and a right step"
     assert slid.mean() < 0.005
     assert slid.max() < 0.015
-    for stands in contact.standing(body, walking):
+    for stands in contact.foot_contacts(body, walking):
         assert 0.4 < stands.mean() < 0.75, "a foot stands for about six tenths of the cycle"
 
 
@@ -105,7 +105,7 @@ def test_the_ruler_of_slides_counts_a_scuffing_toe_that_nobody_calls_standing(bo
 
 def test_a_lifted_foot_clears_the_ground(body: Body, walking: Motion) -> None:
     for sole, stands in zip(
-        body.sole_points(body.world(walking), walking.root_m), contact.standing(body, walking), strict=True
+        body.sole_points(body.world(walking), walking.root_m), contact.foot_contacts(body, walking), strict=True
     ):
         height = sole[..., 1].min(axis=1)
         between = (height > 0.0041) & ~stands

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cloner.evaluate.measures.face_motion import mixture_figures
-from cloner.generic.face_grids import lips_apart, mouth_grid
+from cloner.generic.face_grids import lip_gaps_m, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
@@ -75,5 +75,5 @@ def test_lips_do_not_cross(clone) -> None:
         k = clone.morph_names.index(name)
         rows = slice(clone.morph_start[k], clone.morph_start[k + 1])
         shape[clone.morph_index[rows]] += weight * clone.morph_delta_m[rows]
-    assert 1000.0 * lips_apart(grid, shape[grid.rings]).min() > -1.5
+    assert 1000.0 * lip_gaps_m(grid, shape[grid.rings]).min() > -1.5
     assert weights["mouthClose"] < 0.3

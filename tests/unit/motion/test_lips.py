@@ -9,7 +9,7 @@ import pytest
 from scipy.io import wavfile
 
 from cloner.errors import ClonerError
-from cloner.generic.face_grids import lips_apart, mouth_grid
+from cloner.generic.face_grids import lip_gaps_m, mouth_grid
 from cloner.head.targets import face_targets
 from cloner.motion.face import espeak, speech
 from cloner.motion.face.talk import spoken_visemes
@@ -91,11 +91,11 @@ def test_an_open_mouth_is_an_oval_and_a_tongue_passes_between_the_lips(clone) ->
 
     for name in ("jawOpen", "viseme_O", "mouthFunnel"):
         moved = shape(name)[grid.rings]
-        gap, aside = lips_apart(grid, moved), np.abs(moved[grid.margin, :, 0])
+        gap, aside = lip_gaps_m(grid, moved), np.abs(moved[grid.margin, :, 0])
         half = aside.max() / 2.0
         order = np.argsort(aside[grid.upper])
         at_half = np.interp(half, aside[grid.upper][order], gap[grid.upper][order])
         assert at_half > 0.7 * gap.max(), name
     out = shape("tongueOut")
-    gap = lips_apart(grid, out[grid.rings])[np.abs(rest[grid.ring(0), 0]) < MIDLINE_M]
+    gap = lip_gaps_m(grid, out[grid.rings])[np.abs(rest[grid.ring(0), 0]) < MIDLINE_M]
     assert gap.max() > 0.005

@@ -13,7 +13,7 @@ from cloner.geometry.articulation.skinning import joint_transforms, linear_blend
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, below, body_of
-from cloner.motion.limbs.rig import BY_AXIS, RINGED, centred, joint_ring, limb_ring, middle
+from cloner.motion.limbs.rig import BY_AXIS, RINGED, centre_joints, joint_ring, limb_ring, middle
 from cloner.motion.limbs.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -57,7 +57,7 @@ def clone(request) -> Clone:
 
 @pytest.mark.parametrize("name", list(RINGED))
 def test_joints_lie_in_the_middle_of_the_limb_at_rest_and_when_bent(clone: Clone, name: str) -> None:
-    own = centred(clone)
+    own = centre_joints(clone)
     for degrees, most_m in ((0.0, 0.002), (90.0, 0.010)):
         vertices, joints = posed(own, bent(name, degrees))
         for side in SIDES:
@@ -71,7 +71,7 @@ def test_joints_lie_in_the_middle_of_the_limb_at_rest_and_when_bent(clone: Clone
 
 
 def test_shoulders_and_ankles_lie_beside_their_limb_as_in_the_generic_human(clone: Clone) -> None:
-    own, usual = centred(clone), toy_clone(clone.stature_m)
+    own, usual = centre_joints(clone), toy_clone(clone.stature_m)
     for name in BY_AXIS:
         for side in SIDES:
             joint = GENERIC.joint(f"{side}_{name}")
@@ -79,19 +79,19 @@ def test_shoulders_and_ankles_lie_beside_their_limb_as_in_the_generic_human(clon
 
 
 def test_centring_moves_neither_skin_nor_other_joints_and_is_done_once(clone: Clone) -> None:
-    own = centred(clone)
+    own = centre_joints(clone)
     assert own.vertices_m is clone.vertices_m or (own.vertices_m == clone.vertices_m).all()
     moved = [GENERIC.joint(f"{side}_{name}") for side in SIDES for name in (*RINGED, *BY_AXIS)]
     still = np.setdiff1d(np.arange(94), moved)
     assert (own.joints_m[still] == clone.joints_m[still]).all()
-    assert np.abs(centred(own).joints_m - own.joints_m).max() < 0.0015
+    assert np.abs(centre_joints(own).joints_m - own.joints_m).max() < 0.0015
 
 
 @pytest.mark.parametrize(("name", "degrees", "first", "last", "share"), [
     ("knee", 120.0, "hip", "knee", 0.85), ("elbow", 120.0, "shoulder", "elbow", 0.75),
 ])  # fmt: skip
 def test_thighs_and_upper_arms_keep_their_thickness_beside_a_bent_joint(name, degrees, first, last, share) -> None:
-    own = centred(toy_clone())
+    own = centre_joints(toy_clone())
     ring = limb_ring("l", first, last, share)
     vertices, _ = posed(own, bent(name, degrees))
     assert enclosed(ring.points(vertices)) > 0.8 * enclosed(ring.points(own.vertices_m))
@@ -139,7 +139,7 @@ def test_fingers_close_to_a_fist_before_the_palm() -> None:
 
 
 def test_a_hand_turned_a_quarter_no_longer_wrings_the_wrist() -> None:
-    clone = centred(toy_clone())
+    clone = centre_joints(toy_clone())
     body = body_of(clone)
     world = turns.world_from_local(t_pose(body)[None], body.parents)
     for side in SIDES:

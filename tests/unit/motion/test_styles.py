@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from cloner.behaviour.model import EMOTIONS
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.body import SIDES, Body, body_of
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.gait import walk
 from cloner.motion.moves.slide import step_slides_m
 from cloner.motion.moves.styles import REGULAR, RUN, STYLES, suited
@@ -31,7 +31,7 @@ def bodies() -> dict[str, Body]:
             vertices, joints = load_generic().shape(
                 np.random.default_rng(round(100 * stature)).normal(size=20), stature
             )
-            clone = centred(replace(clone, vertices_m=vertices, joints_m=joints))
+            clone = centre_joints(replace(clone, vertices_m=vertices, joints_m=joints))
         found[name] = body_of(clone)
     return found
 

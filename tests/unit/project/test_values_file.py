@@ -8,7 +8,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import PhotoState, PointSet, StateKind, ViewPoints
-from cloner.report.agreement import Agreement
+from cloner.report.agreement import PhotoAgreement
 
 
 def some_points():
@@ -77,4 +77,4 @@ def test_what_cannot_be_kept_is_a_programmers_mistake(tmp_path):
 
 def test_a_record_that_could_not_be_read_again_is_not_kept(tmp_path):
     with pytest.raises(TypeError, match="Agreement cannot be kept"):
-        save_values({"seen": Agreement(0.9, 1.0, 2.0, 3.0)}, tmp_path / "work" / "values.npz")
+        save_values({"seen": PhotoAgreement(0.9, 1.0, 2.0, 3.0)}, tmp_path / "work" / "values.npz")

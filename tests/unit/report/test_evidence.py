@@ -12,14 +12,14 @@ from cloner.generic.load import load_generic
 from cloner.pipeline import StageReport
 from cloner.records.bodies import PosedView
 from cloner.records.points import Proposals
-from cloner.report.agreement import Agreement, compare
-from cloner.report.evidence import contradicted, is_better
-from cloner.report.standing import azimuth_degrees, standing
-from cloner.report.weak import weaknesses
+from cloner.report.agreement import PhotoAgreement, compare
+from cloner.report.evidence import contradicting_photos, is_better
+from cloner.report.standing import azimuth_degrees, pose_warnings
+from cloner.report.weak import photo_weaknesses
 from kit import studio
 
 FRONT, SIDE, BACK, FACE, FACE_SIDE = ViewId
-GOOD = Agreement(0.97, 2.0, 3.0, 1.01)
+GOOD = PhotoAgreement(0.97, 2.0, 3.0, 1.01)
 RED = np.full((40, 30, 3), (200, 30, 30), np.uint8)
 
 
@@ -37,19 +37,19 @@ def test_a_clone_of_half_the_size_is_told_by_its_size():
 @pytest.mark.parametrize("view", [FACE_SIDE, SIDE, BACK])
 def test_a_photo_that_the_clone_contradicts_is_left_out(view):
     seen = {FRONT: GOOD, FACE: GOOD, view: replace(GOOD, iou=0.31)}
-    told = contradicted(seen)
+    told = contradicting_photos(seen)
     assert list(told) == [view]
     assert "cover only 31 percent of the person" in told[view]
-    assert list(contradicted({**seen, view: replace(GOOD, size=0.7)})) == [view], "far too small"
-    assert list(contradicted({**seen, view: replace(GOOD, iou=0.68)})) == [view], "a mouth taken for a nose"
-    assert contradicted({**seen, view: replace(GOOD, iou=0.80)}) == {}, "drawn roughly"
-    assert contradicted({**seen, view: GOOD}) == {}
+    assert list(contradicting_photos({**seen, view: replace(GOOD, size=0.7)})) == [view], "far too small"
+    assert list(contradicting_photos({**seen, view: replace(GOOD, iou=0.68)})) == [view], "a mouth taken for a nose"
+    assert contradicting_photos({**seen, view: replace(GOOD, iou=0.80)}) == {}, "drawn roughly"
+    assert contradicting_photos({**seen, view: GOOD}) == {}
 
 
 def test_front_photos_stay_and_nothing_is_held_against_nothing():
-    assert contradicted({FRONT: GOOD, FACE: replace(GOOD, iou=0.3)}) == {}
-    assert contradicted({FRONT: replace(GOOD, iou=0.4), SIDE: replace(GOOD, iou=0.3)}) == {}
-    assert contradicted({SIDE: replace(GOOD, iou=0.3), BACK: GOOD}) == {}
+    assert contradicting_photos({FRONT: GOOD, FACE: replace(GOOD, iou=0.3)}) == {}
+    assert contradicting_photos({FRONT: replace(GOOD, iou=0.4), SIDE: replace(GOOD, iou=0.3)}) == {}
+    assert contradicting_photos({SIDE: replace(GOOD, iou=0.3), BACK: GOOD}) == {}
 
 
 def test_a_clone_without_a_photo_must_cover_the_front_as_well():
@@ -95,8 +95,8 @@ def test_the_clone_is_made_again_without_a_contradicted_photo(monkeypatch, front
 def test_what_is_left_out_and_what_fits_badly_is_told():
     photos = studio.photo_set({FRONT: RED, FACE: RED, FACE_SIDE: RED})
     known = Proposals({v: studio.empty_proposal(v, disc(9, 30)) for v in (FRONT, FACE)}, {FACE_SIDE: "why it was"})
-    assert weaknesses(photos, known, {FRONT: GOOD, FACE: GOOD}) == ("face_side: why it was",)
-    told = weaknesses(photos, known, {FRONT: replace(GOOD, iou=0.85), FACE: replace(GOOD, iou=0.75)})
+    assert photo_weaknesses(photos, known, {FRONT: GOOD, FACE: GOOD}) == ("face_side: why it was",)
+    told = photo_weaknesses(photos, known, {FRONT: replace(GOOD, iou=0.85), FACE: replace(GOOD, iou=0.75)})
     assert "body_front: the clone covers the person's outline only to 85 percent" in told
     assert "face_front: the clone covers the head's outline only to 75 percent" in told
 
@@ -109,8 +109,8 @@ def posed(view, azimuth):
 def test_a_turned_head_is_told_and_a_straight_one_is_not(view, straight):
     clone = generic_clone(load_generic(), 1.7)
     assert azimuth_degrees(posed(view, straight)) == pytest.approx(straight)
-    assert standing(replace(clone, views={view: posed(view, straight + 15.0)}), Proposals({})) == ()
-    (told,) = standing(replace(clone, views={view: posed(view, straight + 32.0)}), Proposals({}))
+    assert pose_warnings(replace(clone, views={view: posed(view, straight + 15.0)}), Proposals({})) == ()
+    (told,) = pose_warnings(replace(clone, views={view: posed(view, straight + 32.0)}), Proposals({}))
     assert told.startswith(f"{view}: the head is turned by about 32 degrees")
 
 
@@ -124,7 +124,7 @@ def test_an_arm_beside_the_photo_s_arm_is_told(moved_m, visible, count):
         place = clone.joints_m[generic.joint(joint)] + [0.0, 0.0, moved_m]
         pose[row], seen[row] = side.camera.project(place[None])[0], visible
     proposal = replace(studio.empty_proposal(SIDE, disc(9, 30)), pose_px=pose, pose_visibility=seen)
-    told = standing(replace(clone, views={SIDE: side}), Proposals({SIDE: proposal}))
+    told = pose_warnings(replace(clone, views={SIDE: side}), Proposals({SIDE: proposal}))
     assert len(told) == count
     if count:
         assert told[0].startswith("body_side: the right arm of the clone lies 12 cm beside the arm in this photo")

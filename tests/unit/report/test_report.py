@@ -21,10 +21,10 @@ from cloner.records.results import Residual
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import View, ViewSet
 from cloner.render import render_mask
-from cloner.report.agreement import Agreement, agreements, compare
+from cloner.report.agreement import PhotoAgreement, agreements, compare
 from cloner.report.build import Run, build_report
 from cloner.report.page import page
-from cloner.report.weak import grouped, is_grey, weaknesses
+from cloner.report.weak import group_warnings, is_grey, photo_weaknesses
 from cloner.report.write import write_page, write_report
 from cloner.stages.measures import estimate_measures, measures_of_mesh
 from cloner.vision.retouching.open_mouth import INNER_LIPS
@@ -200,14 +200,14 @@ def portrait(eyes_px: float, lips_px: float) -> Proposal:
 def test_weak_face_photos_are_said(values: dict, eyes_px: float, lips_px: float, words: list[str]) -> None:
     photo = values["photos"].photos[ViewId.BODY_FRONT]
     photos = PhotoSet({ViewId.BODY_BACK: photo})
-    told = weaknesses(photos, Proposals({ViewId.FACE_FRONT: portrait(eyes_px, lips_px)}), {})
+    told = photo_weaknesses(photos, Proposals({ViewId.FACE_FRONT: portrait(eyes_px, lips_px)}), {})
     assert len(told) == len(words)
     assert all(word in sentence for word, sentence in zip(words, told, strict=True))
 
 
 def test_a_badly_covered_outline_is_said() -> None:
-    bad, fine = Agreement(0.82, 9.0, 9.0), Agreement(0.97, 1.0, 1.0)
-    told = weaknesses(PhotoSet({}), Proposals({}), {ViewId.BODY_SIDE: bad, ViewId.BODY_BACK: fine})
+    bad, fine = PhotoAgreement(0.82, 9.0, 9.0), PhotoAgreement(0.97, 1.0, 1.0)
+    told = photo_weaknesses(PhotoSet({}), Proposals({}), {ViewId.BODY_SIDE: bad, ViewId.BODY_BACK: fine})
     assert [each for each in told if "outline" in each] == [
         "body_side: the clone covers the person's outline only to 82 percent"
     ]
@@ -215,7 +215,7 @@ def test_a_badly_covered_outline_is_said() -> None:
 
 def test_what_is_said_of_several_photos_is_said_once() -> None:
     told = ["No height", "body_front: dark", "face_side: dark", "body_front: dark", "No height", "hint: dark"]
-    assert grouped(told) == ("No height", "body_front, face_side: dark", "hint: dark")
+    assert group_warnings(told) == ("No height", "body_front, face_side: dark", "hint: dark")
 
 
 def test_black_and_white_photos_are_known() -> None:

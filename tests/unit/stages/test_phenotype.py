@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cloner.frames import BODY_VIEWS, ViewId
-from cloner.generic.body_net import LANDMARKS, base_place, net_points
+from cloner.generic.body_net import LANDMARKS, base_position, net_points
 from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES
 from cloner.records.photos import Person
@@ -37,7 +37,9 @@ def photographed():
         points[view] = ViewPoints(view, tuple(named), np.array(list(named.values())), np.ones(3), np.zeros(3, bool))
         outlines[view] = studio.silhouette_record(view, mask)
         truth[view] = seen_by.to_camera(joints)
-        under[view] = seen_by.project(np.array([base_place(load_generic(), name, vertices, joints) for name in NAMES]))
+        under[view] = seen_by.project(
+            np.array([base_position(load_generic(), name, vertices, joints) for name in NAMES])
+        )
     body_points, told = PointSet(points), Person("known", "", STATURE_M)
     first = views.run(photos=studio.photo_set(photos), body_points=body_points, person=told, tick=lambda f: None)
     seen = {

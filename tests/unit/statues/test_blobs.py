@@ -14,7 +14,7 @@ from cloner.bodies.telling import Told
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
 from cloner.project.results import is_result
@@ -109,7 +109,7 @@ def test_no_triangle_is_turned_over_by_a_stout_body(man, blobs) -> None:
     assert (np.einsum("ta,ta->t", before, now) < 0.0).mean() < 0.01
     assert made.measures_mm["hip_girth"] > man.measures_mm["hip_girth"] + 60.0
     assert made.measures_mm["neck_girth"] >= man.measures_mm["neck_girth"]
-    assert own_motions(centred(made))[0].name == "walk"
+    assert own_motions(centre_joints(made))[0].name == "walk"
 
 
 def test_blobs_go_through_their_file(blobs, tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.gltf.gltf import build, export
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.paint.details.parts import fit_sphere
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.clones import Clone
@@ -132,7 +132,7 @@ def test_bronze_is_metal_with_patina_in_gltf_and_stone_is_not(person: Clone, tmp
     for name, most in (("bronze", 255), ("stone", 0)):
         clone = statue_of(person, name)
         assert clone.atlas.shine[..., 2].max() == most
-        gltf = build(centred(clone))
+        gltf = build(centre_joints(clone))
         looks = {material.name: material.pbrMetallicRoughness for material in gltf.materials}
         for part in ("body", "eyes", "mouth"):
             assert looks[part].metallicRoughnessTexture is not None
@@ -155,7 +155,7 @@ def test_shine_outlives_the_file(person: Clone, tmp_path) -> None:
 
 def test_a_crowd_dyes_no_statue(person: Clone) -> None:
     clone = statue_of(person, "clay")
-    cast = cast_of("clay", centred(clone), body_levels(), poses=8)
+    cast = cast_of("clay", centre_joints(clone), body_levels(), poses=8)
     assert not set(cast.looks) & set(WORN)
 
 

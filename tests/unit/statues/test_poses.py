@@ -8,7 +8,7 @@ import pytest
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.statues.poses import ARMS, REST, standing
 from kit.clones import toy_clone
@@ -43,7 +43,7 @@ def test_it_walks_out_of_every_pose_as_out_of_rest(person, pose: str) -> None:
     generic, still = load_generic(), standing(person, pose)
     assert still.vertices_m[:, 1].min() == pytest.approx(person.vertices_m[:, 1].min(), abs=1e-9)
     wrists = []
-    for clone in (centred(person), centred(still)):
+    for clone in (centre_joints(person), centre_joints(still)):
         walk = own_motions(clone)[0]
         places = [
             joint_transforms(clone.joints_m, generic.joint_parents, frame)[generic.joint("r_wrist")]

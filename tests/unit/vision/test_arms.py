@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.generic.seen_points import stance
+from cloner.generic.seen_points import combined_pose
 from cloner.vision.photographs.arms import arm_zone
 from kit import net as known_net
 from kit import people
@@ -31,7 +31,7 @@ def hidden_wrists(view):
 def test_joints_seen_under_clothes_stand_for_the_pose_s(view):
     given, pose = hidden_wrists(view)
     seen = np.vstack([pose[JOINTS] + 3.0, np.zeros((9, 2))])
-    places, visibility = stance(replace(given, seen_px=seen))
+    places, visibility = combined_pose(replace(given, seen_px=seen))
     np.testing.assert_array_equal(places[JOINTS], seen[:12])
     np.testing.assert_array_equal(places[:11], given.pose_px[:11])
     assert (visibility[JOINTS[NEAR::2]] == 1.0).all()
@@ -42,9 +42,12 @@ def test_joints_seen_under_clothes_stand_for_the_pose_s(view):
 def test_an_arm_whose_hand_is_hidden_is_an_arm():
     given, pose = hidden_wrists("body_side")
     shape, height = given.mask.shape, 1000.0
-    assert not arm_zone(stance(given), height, shape).any()
+    assert not arm_zone(combined_pose(given), height, shape).any()
     seen = replace(given, seen_px=np.vstack([pose[JOINTS], np.zeros((9, 2))]))
-    zone, lower = arm_zone(stance(seen), height, shape), arm_zone(stance(seen), height, shape, below_shoulder=0.5)
+    zone, lower = (
+        arm_zone(combined_pose(seen), height, shape),
+        arm_zone(combined_pose(seen), height, shape, below_shoulder=0.5),
+    )
     column, row = np.rint(pose[[12, 14, 16]]).astype(int).T
     assert zone[row, column].all()
     assert not lower[row[0], column[0]]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.generic.face_grids import mouth_grid
-from cloner.generic.lip_steps import SHARE, to_borders
+from cloner.generic.lip_steps import SHARE, drop_from_borders
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label
 from cloner.vision.retouching.open_mouth import INNER_LIPS, lip_colour_edges, open_lip_borders
@@ -49,7 +49,7 @@ def test_lips_step_to_the_borders_that_a_photo_shows() -> None:
     seen = load_generic().vertices_m[grid.rings].astype(np.float64)[..., :2] * [1000.0, -1000.0] + [100.0, 1621.0]
     borders = np.array(mouth(20.0)[np.array(INNER_LIPS)])
     moved = seen.copy()
-    moved[..., 1] += SHARE[:, None] * to_borders(grid, seen, borders)
+    moved[..., 1] += SHARE[:, None] * drop_from_borders(grid, seen, borders)
     middle = np.abs(seen[grid.margin, :, 0] - 100.0) < 5.0
     for lip, border_px in ((grid.upper & middle, 90.0), (grid.lower & middle, 110.0)):
         rings = moved[grid.margin - 1 : grid.margin + 2, lip, 1]

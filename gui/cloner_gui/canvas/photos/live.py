@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from cloner.booth.visitors.kept import known_values
 from cloner.frames import ViewId
-from cloner.interactive.relinking import LiveOutline, Step, follow, live_outline
+from cloner.interactive.relinking import LiveOutline, Step, follow_corrections, live_outline
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Corrections, Proposals, ViewPoints
 from cloner_gui.background.worker import Task
@@ -81,6 +81,6 @@ class LiveOutlines(QObject):
         outline = self._ready.get(view)
         if outline is None:
             return ()
-        steps = follow(outline, self._steps.get(view, ()), corrections.points.get(view, {}))
+        steps = follow_corrections(outline, self._steps.get(view, ()), corrections.points.get(view, {}))
         self._steps[view] = steps
         return steps[-1].contours_px if steps else outline.traced_px

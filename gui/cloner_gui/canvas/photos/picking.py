@@ -46,11 +46,11 @@ def nearest_on_outline(borders_px: Iterable[Array], at_px: tuple[float, float], 
 def worst_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
     """Return the proposed points of all photos, the one first whose true place is expected to mend most.
 
-    See `cloner.editing.order.worth_first`; what an operator placed comes last.
+    See `cloner.editing.order.by_expected_gain`; what an operator placed comes last.
     """
-    from cloner.editing.order import worth_first  # with the generic human: not paid for at the start
+    from cloner.editing.order import by_expected_gain  # with the generic human: not paid for at the start
 
-    return worth_first(points)
+    return by_expected_gain(points)
 
 
 def next_of(order: list[tuple[ViewId, str]], now: tuple[ViewId, str] | None, step: int) -> tuple[ViewId, str] | None:
