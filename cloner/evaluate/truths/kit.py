@@ -6,10 +6,11 @@ import shutil
 import tempfile
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
@@ -107,7 +108,8 @@ def read_kit(person: Path) -> KitTruth:
         If a file of the truth is missing or cannot be read.
     """
     data = read_json(person / "truth.json")
-    labels = {view: _read_labels(person / f"{view}_labels.png") for view in data["cameras"]}
+    photos = {view: read_picture(person / f"{view}.jpg").rgb for view in data["cameras"]}
+    labels = {view: _read_labels(person / f"{view}_labels.png", photo.shape[:2]) for view, photo in photos.items()}
     try:
         with np.load(person / "truth_body.npz") as held:
             quads = held["faces"].astype(np.int32)
@@ -121,7 +123,9 @@ def read_kit(person: Path) -> KitTruth:
         stature_m=m_from_mm(float(data["stature_mm"])),
         sole_m=m_from_mm(float(data["sole_height_mm"])),
         girths_mm={name: float(value) for name, value in data["girths_mm"].items()},
-        views={ours: _read_view(person, view, ours, data, labels[view], bodies[view]) for view, ours in named.items()},
+        views={
+            ours: _read_view(view, ours, data, photos[view], labels[view], bodies[view]) for view, ours in named.items()
+        },
         surface=_surface(data, _with_shut_mouth(bodies[str(data["measured_in_pose_of"])], bodies), quads),
     )
     return KitTruth(
@@ -139,7 +143,8 @@ def side_shown(seen: TruthView) -> str:
     return "left" if across[2] < 0.0 else "right"
 
 
-def _read_labels(path: Path) -> Labels:
+def _read_labels(path: Path, shape: tuple[int, ...]) -> Labels:
+    """Return true labels at the size (H, W) at which the product reads the photo: large photos are reduced."""
     try:
         with Image.open(path) as picture:
             labels = np.asarray(picture, dtype=np.uint8)
@@ -147,23 +152,27 @@ def _read_labels(path: Path) -> Labels:
         raise ClonerError("a label picture is missing or broken", "Copy the file again", path.name) from error
     if labels.ndim != 2 or labels.max() >= len(LABELS):
         raise ClonerError("a label picture has other labels than this program knows", "Copy the file again", path.name)
-    return labels
+    return np.asarray(cv2.resize(labels, (shape[1], shape[0]), interpolation=cv2.INTER_NEAREST))
 
 
-def _read_view(person: Path, view: str, ours: str, data: Mapping[str, Any], labels: Labels, body_m: Array) -> TruthView:
-    marks = data["features"][view]["points"]
+def _read_view(
+    view: str, ours: str, data: Mapping[str, Any], photo: NDArray[np.uint8], labels: Labels, body_m: Array
+) -> TruthView:
+    marks, camera = data["features"][view]["points"], truth_camera(data["cameras"][view])
+    height, width = photo.shape[:2]
+    scale = height / camera.height_px  # below 1 where the product reduces a large photo
     return TruthView(
         name=ours,
-        camera=truth_camera(data["cameras"][view]),
+        camera=replace(camera, width_px=width, height_px=height, focal_px=scale * camera.focal_px),
         points_m=vectors(data["points_3d_m_by_view"][view]) | turning_marks(load_generic(), body_m),
         joints_m=vectors(data["joints_3d_m_by_view"][view]),
         marks_px={
-            mark: np.array(entry["xy"], dtype=np.float64) - HALF_PIXEL
+            mark: scale * np.array(entry["xy"], dtype=np.float64) - HALF_PIXEL
             for mark, entry in marks.items()
             if entry["visible"] and entry["in_frame"]
         },
         mask=labels > 0,
-        photo=read_picture(person / f"{view}.jpg").rgb,
+        photo=photo,
     )
 
 

@@ -21,6 +21,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.head.jaw import with_open_jaw
 from cloner.records.labels import LABELS
+from cloner.vision.photographs import pictures
 from kit import studio
 
 SIZE = (120, 180)
@@ -138,6 +139,18 @@ def test_the_truth_is_read_in_our_words(person):
     heights = truth.surface.points_m[truth.surface.kind == "bare", 1]
     assert heights.max() == pytest.approx(kit.bodies_m["body_front"][:, 1].max(), abs=0.01)
     assert truth.surface.marks_m["crotch"][1] > 0.5
+
+
+def test_the_truth_of_a_large_photo_is_reduced_with_it(person, monkeypatch):
+    whole = read_kit(person).truth.views["body_front"]
+    monkeypatch.setattr(pictures, "LONGEST_SIDE_PX", SIZE[1] // 2)
+    kit = read_kit(person)
+    seen = kit.truth.views["body_front"]
+    assert seen.photo.shape[:2] == seen.mask.shape == kit.labels["body_front"].shape == (SIZE[1] // 2, SIZE[0] // 2)
+    assert (seen.camera.width_px, seen.camera.height_px) == (SIZE[0] // 2, SIZE[1] // 2)
+    assert seen.marks_px["nose_tip"] == pytest.approx([29.5, 9.5])
+    top_m = np.array([[0.0, 1.7, 0.0]])
+    assert (seen.camera.project(top_m) + 0.5) * 2.0 == pytest.approx(whole.camera.project(top_m) + 0.5)
 
 
 def test_a_mouth_that_one_photo_shows_open_is_shut_in_the_truth(tmp_path):
