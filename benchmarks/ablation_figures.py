@@ -18,7 +18,7 @@ from cloner.evaluate.truths.kit import KitTruth
 from cloner.frames import BODY_VIEWS, MILLIMETRES_PER_METRE, ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.paint.lookups.sources import Source
 from cloner.records.labels import LABELS
 from cloner.vision.contours.snake import normals

@@ -21,7 +21,7 @@ from cloner.evaluate.truths.truth import read_truth
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
 from cloner.generic.layers import Layer
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.project.folder import load_photos
 from cloner.records.bodies import PosedView
 from cloner.records.photos import Person, Photo, PhotoSet

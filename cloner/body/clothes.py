@@ -17,8 +17,8 @@ import numpy as np
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.rims import vertex_normals
 from cloner.geometry.outlines.settling import smoothed_directions
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype
 
@@ -41,7 +41,7 @@ class ClothingEase:
 
     segments: tuple[str, ...]
     mean_m: float
-    spread_m: float
+    sigma_m: float
     hangs: bool = False
 
 
@@ -81,7 +81,7 @@ def clothing_modes() -> tuple[Array, Array]:
     """Return mean displacement (V, 3) of clothed skin and modes of its ease (E, V, 3), metres at any stature."""
     directions = _ease_directions()
     mean = np.einsum("e,eva->va", np.array([ease.mean_m for ease in EASES]), directions)
-    return mean, directions * np.array([ease.spread_m for ease in EASES])[:, None, None]
+    return mean, directions * np.array([ease.sigma_m for ease in EASES])[:, None, None]
 
 
 def clothed_body(phenotype: Phenotype) -> tuple[Array, Array]:

@@ -37,7 +37,7 @@ class Params:
 
     barefoot_m: float = _CALIBRATED.number("barefoot_m", "m")
     shod: tuple[float, float, float, float] = _CALIBRATED.quadruple("shod", "m")
-    spread: tuple[float, float, float, float] = _CALIBRATED.quadruple("spread", "m")
+    sigma: tuple[float, float, float, float] = _CALIBRATED.quadruple("spread", "m")
 
 
 @functools.cache
@@ -219,7 +219,7 @@ def shape_feet(mesh: BodyMesh, sole_m: float, params: Params) -> tuple[BodyMesh,
     """Return the body with toes closed where it wears shoes, the feet's expected size and its sigma."""
     shod = sole_m > params.barefoot_m
     mean = np.array(params.shod) if shod else np.array([1.0, 1.0, 1.0, 0.0])
-    return (flatten_soles(close_toes(mesh)) if shod else mesh), mean, np.array(params.spread)
+    return (flatten_soles(close_toes(mesh)) if shod else mesh), mean, np.array(params.sigma)
 
 
 def flatten_soles(mesh: BodyMesh) -> BodyMesh:

@@ -86,5 +86,5 @@ def with_footwear(generic: GenericHuman, stature_m: float, wear: Footwear) -> tu
 
 def sole_height(wear: Footwear, sigmas: float) -> float:
     """Return the height of the soles, metres, within the footwear's limits."""
-    mean, spread, low, high = wear.sole_m
-    return float(np.clip(mean + sigmas * spread, low, high))
+    mean, sigma, low, high = wear.sole_m
+    return float(np.clip(mean + sigmas * sigma, low, high))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
-from cloner.geometry.articulation.turning import is_below
+from cloner.geometry.articulation.joint_jacobians import is_below
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 

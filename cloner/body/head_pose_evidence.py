@@ -16,7 +16,7 @@ from cloner.frames import m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.head.modes import load_head_modes
 from cloner.head.silhouette import HAIR_M, hair_thickness_basis
 from cloner.head.skin_matches import SkinMatches

@@ -29,11 +29,11 @@ from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.fingers import FINGERS, knuckles
+from cloner.geometry.articulation.joint_jacobians import compose_rotations, is_below, rotation_jacobian, subtree_weights
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_axes
-from cloner.geometry.articulation.turning import compose_rotations, is_below, rotation_jacobian, subtree_weights
 from cloner.geometry.cameras.motions import motion_jacobian, moved_camera, projection_derivatives
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 
@@ -103,15 +103,15 @@ def prior_angles(params: Params) -> tuple[Array, Array]:
     ]
     curl, curl_spread = np.deg2rad(params.curl_degrees)
     hands = len(_finger_curls())
-    spread = np.concatenate(
+    sigma = np.concatenate(
         [
             np.deg2rad(degrees), np.full(hands, curl_spread), np.deg2rad(params.camera_degrees),
             [m_from_mm(x) for x in params.camera_mm],
         ]
     )  # fmt: skip
-    usual = np.zeros(len(spread))
+    usual = np.zeros(len(sigma))
     usual[len(degrees) : len(degrees) + hands] = curl
-    return usual, spread
+    return usual, sigma
 
 
 def _angle_jacobian(
@@ -163,7 +163,7 @@ def _joint_residuals(
     by_curls = np.zeros((len(places), 2, len(_finger_curls())))  # no finger is among them
     pixels, by_points, by_step = projection_derivatives(photo.posed.camera, places)
     jacobian = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_jacobian(values[-6:], pivot)], axis=2)
-    return point_residuals((photo.view,), pixels - told.places_px, jacobian, told.spread_px, outlier=OUTLIER)
+    return point_residuals((photo.view,), pixels - told.places_px, jacobian, told.sigma_px, outlier=OUTLIER)
 
 
 def _middle(mesh: BodyMesh) -> Array:

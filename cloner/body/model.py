@@ -12,7 +12,7 @@ from cloner.body.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, with_footw
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
 from cloner.geometry.articulation.poses import pose_matrix
 from cloner.geometry.articulation.posing import PointModel
-from cloner.geometry.cameras.tripods import STAND_NAMES, project_from_stand
+from cloner.geometry.cameras.stands import STAND_NAMES, project_from_stand
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 

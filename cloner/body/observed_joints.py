@@ -39,7 +39,7 @@ class ObservedJoints:
 
     joints: NDArray[np.int64]
     places_px: Array
-    spread_px: Array
+    sigma_px: Array
 
 
 def observed_joints(
@@ -60,10 +60,10 @@ def observed_joints(
         rows = [row for row, name in enumerate(NAMES) if name in generic.joint_names and name not in placed]
         if len(places) and rows:
             shown = _visible_side(posed)
-            spread_m = phenotype.stature_m * np.array([point_sigma(NAMES[row], shown) for row in rows])
+            sigma_m = phenotype.stature_m * np.array([point_sigma(NAMES[row], shown) for row in rows])
             middle = np.array([0.0, phenotype.stature_m / 2.0, 0.0])
             joints = np.array([generic.joint(NAMES[row]) for row in rows])
-            found[view] = ObservedJoints(joints, places[rows], spread_m / posed.camera.metres_per_pixel(middle))
+            found[view] = ObservedJoints(joints, places[rows], sigma_m / posed.camera.metres_per_pixel(middle))
     return found
 
 

@@ -13,7 +13,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, posed_joints
 from cloner.geometry.outlines.contours import OutlineField, outline_field
-from cloner.geometry.outlines.rims import borders_px, silhouette_vertices
+from cloner.geometry.outlines.silhouette import borders_px, silhouette_vertices
 from cloner.geometry.outlines.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView

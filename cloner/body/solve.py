@@ -22,7 +22,7 @@ from cloner.fit.evidence import Residuals, agreement_residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
-from cloner.geometry.cameras.tripods import (
+from cloner.geometry.cameras.stands import (
     AZIMUTH,
     FACING,
     HEIGHT,
@@ -98,9 +98,9 @@ def _agreement_terms(values: Values, view: ViewId, params: Params) -> Iterator[R
     yield agreement_residuals(
         (pose, USUAL_POSE), apart, np.hstack([every, -every]), params.same_pose * SIGMAS, outlier=LOOSE
     )
-    apart, spread = values[pose][left] - sign * values[pose][right], params.same_sides * SIGMAS[left]
+    apart, sigma = values[pose][left] - sign * values[pose][right], params.same_sides * SIGMAS[left]
     yield agreement_residuals(
-        (pose,), apart, every[left] - np.reshape(sign, (-1, 1)) * every[right], spread, outlier=LOOSE
+        (pose,), apart, every[left] - np.reshape(sign, (-1, 1)) * every[right], sigma, outlier=LOOSE
     )
 
 

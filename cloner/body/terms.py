@@ -21,9 +21,9 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.posing import PointModel
-from cloner.geometry.cameras.tripods import camera_from_stand
+from cloner.geometry.cameras.stands import camera_from_stand
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.rims import silhouette_vertices, vertex_normals
+from cloner.geometry.outlines.silhouette import silhouette_vertices, vertex_normals
 from cloner.records.arrays import Array
 
 
@@ -67,7 +67,7 @@ class PointTerm:
         bases = [*(base for base, *_ in own), *net.bases]
         offsets = np.vstack([np.zeros((len(own), 3)), body.stature_m * net.offset])
         targets = np.vstack([*(target for _, target, *_ in own), net.points_px])
-        spreads = np.append([spread for *_, spread, _ in own], mm_from_m(body.stature_m) * net.spread)
+        sigmas = np.append([sigma for *_, sigma, _ in own], mm_from_m(body.stature_m) * net.sigma)
         fixed = np.append([fixed for *_, fixed in own], np.zeros(len(net.bases), dtype=bool))
         is_joint = np.array([base in generic.joint_names for base in bases], dtype=bool)
         order = np.argsort(is_joint, kind="stable")  # the model's points are vertices first, then joints
@@ -77,7 +77,7 @@ class PointTerm:
         self.model = replace(model, mean_m=model.mean_m + offsets[order])
         self.of, self.target_px = block_names(evidence.view.view), targets[order]
         self.outlier = np.where(fixed[order].astype(bool), np.inf, fade)
-        self.sigma_px = spreads[order] / evidence.mm_per_px
+        self.sigma_px = sigmas[order] / evidence.mm_per_px
 
     def residuals(self, drawn: ProjectedPoints) -> Residuals:
         """Return the residuals (2 N,) and their Jacobian."""
@@ -118,10 +118,10 @@ class GroundTerm:
         height, by_height = drawn.points_m[:-1, 1], drawn.by_points[:-1, 1]
         values = [scale * (height - height.mean())]
         jacobian = [scale * (by_height - by_height.mean(axis=0))]
-        hair_mm, spread_mm = self.evidence.hair_mm
+        hair_mm, sigma_mm = self.evidence.hair_mm
         above = (drawn.pixels[-1, 1] - self.evidence.top_px) * mm - hair_mm
-        values.append(np.array([above / spread_mm]))
-        jacobian.append(drawn.by_pixels[-1:, 1] * mm / spread_mm)
+        values.append(np.array([above / sigma_mm]))
+        jacobian.append(drawn.by_pixels[-1:, 1] * mm / sigma_mm)
         for side, row_px in self.evidence.soles_px.items():
             own = np.arange(len(height) // 2) + (len(height) // 2 if side == "right" else 0)
             lowest = int(own[np.argmax(drawn.pixels[own, 1])])

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.taught import HAND, FaceErrors, LayoutAlignment, align_layout, axis_rows, errors_in_view
+from cloner.detectors.propagation import HAND, FaceErrors, LayoutAlignment, align_layout, axis_rows, errors_in_view
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.points import FAR, ViewPoints, expected_error, expected_face_error
@@ -31,7 +31,7 @@ FIGURE_M = _CALIBRATED.number("figure_m", "m")
 def by_expected_gain(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
     """Return the proposed points of all photos in decreasing expected gain; placed ones come last.
 
-    A face's point mends its neighbours too (``detectors/taught.py``), and counts for so much less once they are known.
+    A face's point mends its neighbours too (``detectors/propagation.py``), and counts for so much less once they are known.
     The face in a body photo is left out where the face has a photo of its own, which says the same larger.
     """
     large = set(points[ViewId.FACE_FRONT].names) if ViewId.FACE_FRONT in points else set()

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.editing.wishes import PointConstraint
+from cloner.editing.targets import PointConstraint
 from cloner.fit.evidence import Residuals, point_residuals
 from cloner.fit.problem import ParameterBlock, Problem, Values
 from cloner.frames import ViewId, m_from_mm, mm_from_m
@@ -73,7 +73,7 @@ class _PhotoConstraints:
     """
 
     posed: PosedView
-    wishes: tuple[PointConstraint, ...]
+    targets: tuple[PointConstraint, ...]
     points: PointModel
     sigma: Array
 
@@ -89,7 +89,7 @@ class _PhotoConstraints:
 
 
 def obey_pose(
-    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[PointConstraint]
+    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], targets: list[PointConstraint]
 ) -> tuple[Array, dict[ViewId, PosedView], list[ObeyedPoint]]:
     """Return the joints in rest pose (94, 3), the poses, and how well each corrected joint is met.
 
@@ -101,15 +101,15 @@ def obey_pose(
         Camera and pose of every body photo.
     wishes : list of Wish
     """
-    if not wishes:
+    if not targets:
         return joints_m, dict(views), []
     params, generic = Params(), load_generic()
-    rows = sorted({generic.joint(wish.name) for wish in wishes if wish.name in generic.joint_names})
+    rows = sorted({generic.joint(target.name) for target in targets if target.name in generic.joint_names})
     held = {
         view.value: _photo_constraints(
-            vertices_m, joints_m, rows, views[view], tuple(one for one in wishes if one.view is view), params
+            vertices_m, joints_m, rows, views[view], tuple(one for one in targets if one.view is view), params
         )
-        for view in dict.fromkeys(wish.view for wish in wishes)
+        for view in dict.fromkeys(target.view for target in targets)
     }
     found = _solve_joints(held, len(rows), params)
     shift_m, poses, told = found["places"].reshape(-1, 3), dict(views), {}
@@ -120,10 +120,10 @@ def obey_pose(
         poses[view] = PosedView(view, one.posed.camera, one.rotations(found[name]))
         was, _ = one.seen(0.0 * found["places"], 0.0 * found[name])
         now, _ = one.seen(found["places"], found[name])
-        for wish, old, new in zip(one.wishes, was, now, strict=False):  # joints to be kept follow the wishes
-            row = rows.index(generic.joint(wish.name)) if wish.name in generic.joint_names else -1
-            told[id(wish)] = _outcome(wish, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
-    return joints, poses, [told[id(wish)] for wish in wishes]
+        for target, old, new in zip(one.targets, was, now, strict=False):  # joints to be kept follow the wishes
+            row = rows.index(generic.joint(target.name)) if target.name in generic.joint_names else -1
+            told[id(target)] = _outcome(target, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
+    return joints, poses, [told[id(target)] for target in targets]
 
 
 def _photo_constraints(
@@ -131,18 +131,18 @@ def _photo_constraints(
     joints_m: Array,
     rows: list[int],
     posed: PosedView,
-    wishes: tuple[PointConstraint, ...],
+    targets: tuple[PointConstraint, ...],
     params: Params,
 ) -> _PhotoConstraints:
     """Return the constraints of one photo; ``rows`` are the joints that may move in rest pose."""
     generic, starts = load_generic(), set[str]()
-    for wish in wishes:
-        words = wish.name.split("_")
+    for target in targets:
+        words = target.name.split("_")
         side = next((word[0] for word in words if word in ("l", "r", "left", "right")), "")
         limb = next((LIMB_OF[word] for word in words if word in LIMB_OF), "")
         starts |= {f"{side}_{part}" for part in LIMBS[limb]} if limb else {"neck"}
     columns = [k for k, freedom in enumerate(FREEDOMS) if freedom.name.startswith(tuple(starts))]
-    names = (*(wish.name for wish in wishes), *KEPT)
+    names = (*(target.name for target in targets), *KEPT)
     moves = np.zeros((len(joints_m), 3, 3 * len(rows)))
     for place, row in enumerate(rows):
         moves[row, :, 3 * place : 3 * place + 3] = np.eye(3)
@@ -160,7 +160,7 @@ def _photo_constraints(
         pose_matrix(generic.joint_names)[:, columns],
         posed.rotations.ravel(),
     )
-    return _PhotoConstraints(posed, wishes, points, params.angle_share * SIGMAS[columns])
+    return _PhotoConstraints(posed, targets, points, params.angle_share * SIGMAS[columns])
 
 
 def _solve_joints(held: Mapping[str, _PhotoConstraints], count: int, params: Params) -> Values:
@@ -173,9 +173,9 @@ def _solve_joints(held: Mapping[str, _PhotoConstraints], count: int, params: Par
     for name, one in held.items():
         start, most = np.zeros(len(one.sigma)), params.most_angle
         blocks[name] = ParameterBlock(start, sigma=one.sigma, lower=-most, upper=most)
-        kept_px = one.seen(still, start)[0][len(one.wishes) :]
-        goals[name] = np.concatenate([[wish.target_px for wish in one.wishes], kept_px])
-        sigma_px[name] = np.repeat([params.exact_px, params.kept_px], [len(one.wishes), len(kept_px)])
+        kept_px = one.seen(still, start)[0][len(one.targets) :]
+        goals[name] = np.concatenate([[target.target_px for target in one.targets], kept_px])
+        sigma_px[name] = np.repeat([params.exact_px, params.kept_px], [len(one.targets), len(kept_px)])
 
     def linearise(values: Values, iteration: int) -> Iterator[Residuals]:
         for name, one in held.items():
@@ -185,8 +185,8 @@ def _solve_joints(held: Mapping[str, _PhotoConstraints], count: int, params: Par
     return Problem(blocks).solve(linearise, iterations=params.iterations, tolerance=params.tolerance).values
 
 
-def _outcome(wish: PointConstraint, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
+def _outcome(target: PointConstraint, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
     """Return the outcome for a corrected point."""
-    before, after = (float(np.linalg.norm(seen - wish.target_px)) for seen in (was_px, now_px))
+    before, after = (float(np.linalg.norm(seen - target.target_px)) for seen in (was_px, now_px))
     note = "" if after <= 1.0 else f"the limb does not reach it, so the clone stays {after:.0f} px off it"
-    return ObeyedPoint(wish.view, wish.name, "pose", before, after, mm_from_m(shift_m), note)
+    return ObeyedPoint(target.view, target.name, "pose", before, after, mm_from_m(shift_m), note)

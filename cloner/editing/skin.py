@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.editing.claims import (
+from cloner.editing.outline_constraints import (
     OutlineConstraint,
     Params,
     PosedPhoto,
@@ -23,13 +23,13 @@ from cloner.editing.claims import (
     posed_photo,
 )
 from cloner.editing.places import distance_from, free_skin, generic_metric, half_girth_m, opposite_feature
-from cloner.editing.wishes import PointConstraint
+from cloner.editing.targets import PointConstraint
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.articulation.skin_bends import EdgePoint, bump, least_norm_step
 from cloner.geometry.cameras.motions import projection_derivatives
-from cloner.geometry.outlines.rim_search import outermost_point
-from cloner.geometry.outlines.rims import triangle_normals
+from cloner.geometry.outlines.contour_search import outermost_point
+from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
@@ -107,7 +107,7 @@ def obey_skin(
     vertices_m: Array,
     joints_m: Array,
     views: Mapping[ViewId, PosedView],
-    wishes: list[PointConstraint],
+    targets: list[PointConstraint],
     stature_m: float,
 ) -> tuple[Array, list[ObeyedPoint]]:
     """Return the vertices bent so that the outline passes through all corrected points, and how well it does.
@@ -123,20 +123,20 @@ def obey_skin(
         Scales reaches that are measured on the generic skin.
     """
     params = Params()
-    scenes = {view: posed_photo(vertices_m, joints_m, views[view]) for view in {wish.view for wish in wishes}}
+    scenes = {view: posed_photo(vertices_m, joints_m, views[view]) for view in {target.view for target in targets}}
     claims, refused = [], {}
-    for k, (wish, found) in enumerate(zip(wishes, nearest_contour_points(wishes, scenes, params), strict=True)):
-        claim = None if found is None else make_constraint(wish, found, scenes[wish.view], params)
+    for k, (target, found) in enumerate(zip(targets, nearest_contour_points(targets, scenes, params), strict=True)):
+        claim = None if found is None else make_constraint(target, found, scenes[target.view], params)
         if claim is None or claim.gap_mm > params.most_mm:
-            refused[k] = _rejected_outcome(wish, claim)
+            refused[k] = _rejected_outcome(target, claim)
         else:
             claims.append(claim)
     if not claims:
-        return vertices_m, [refused[k] for k in range(len(wishes))]
+        return vertices_m, [refused[k] for k in range(len(targets))]
     work = _Work(vertices_m, stature_m, tuple(claims), scenes, params)
     bend = _solve(work)
     told = iter(_outcomes(work, bend))
-    return bend.bent(vertices_m), [refused[k] if k in refused else next(told) for k in range(len(wishes))]
+    return bend.bent(vertices_m), [refused[k] if k in refused else next(told) for k in range(len(targets))]
 
 
 def _solve(work: _Work) -> _Bend:
@@ -151,7 +151,7 @@ def _solve(work: _Work) -> _Bend:
         pixels = work.bent_pixels(bend)
         new = []
         for k, claim in enumerate(work.claims):
-            seen = outermost_point(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
+            seen = outermost_point(claim.edges, pixels[claim.target.view], claim.target.target_px, claim.outward)
             own = [handle for handle in handles if handle.claim == k]
             if seen and seen[1] > 2.0 * work.params.near_px and max(h.height_at(seen[0]) for h in own) < ANSWERS:
                 new.append(_handle(work, k, seen[0]))
@@ -164,7 +164,7 @@ def _solve(work: _Work) -> _Bend:
 def _handle(work: _Work, number: int, place: EdgePoint) -> _Handle:
     """Return the handle of a constraint at a place of its outline."""
     claim = work.claims[number]
-    seen = work.scenes[claim.wish.view]
+    seen = work.scenes[claim.target.view]
     to_rest = np.linalg.inv(place.at(seen.blended)[:, :3])
     ray = to_rest @ (place.at(seen.posed_m) - seen.eye_m)
     ray /= np.linalg.norm(ray)
@@ -183,7 +183,7 @@ def _handle(work: _Work, number: int, place: EdgePoint) -> _Handle:
 
 def _reach_m(work: _Work, claim: OutlineConstraint) -> Array:
     """Return a bend's radius across the outline, along the line of sight, and along the outline, (3,) metres."""
-    params, name, scale = work.params, claim.wish.name, work.stature_m / GENERIC_STATURE_M
+    params, name, scale = work.params, claim.target.name, work.stature_m / GENERIC_STATURE_M
     least = params.gentle * claim.gap_mm
     along = float(np.clip(params.reach_per_mm * claim.gap_mm, params.least_reach_mm, params.most_reach_mm))
     along = max(along, least)
@@ -238,10 +238,10 @@ def _equations(work: _Work, handles: list[_Handle], bend: _Bend) -> tuple[Array,
     rows, wanted = [], []
     for handle in handles:
         claim = work.claims[handle.claim]
-        shown, target = pixels[claim.wish.view], claim.wish.target_px
+        shown, target = pixels[claim.target.view], claim.target.target_px
         seen = outermost_point(handle.edges, shown, target, claim.outward)
         place, beyond = seen or (handle.place, float((handle.place.at(shown) - target) @ claim.outward))
-        slope = _pixel_slope(place, claim.outward, work.scenes[claim.wish.view])
+        slope = _pixel_slope(place, claim.outward, work.scenes[claim.target.view])
         rows.append(np.outer(bend.of(place), slope).ravel())
         wanted.append(-beyond)
     return np.array(rows), np.array(wanted)
@@ -268,28 +268,28 @@ def _folds(work: _Work, bend: _Bend) -> bool:
     return bool((turned & (size > least**2)).any())
 
 
-def _rejected_outcome(wish: PointConstraint, claim: OutlineConstraint | None) -> ObeyedPoint:
+def _rejected_outcome(target: PointConstraint, claim: OutlineConstraint | None) -> ObeyedPoint:
     """Return the outcome for a point that the skin cannot follow."""
     if claim is None:
         note = "no outline of the clone is seen there, so the point was left out"
-        return ObeyedPoint(wish.view, wish.name, "outline", 0.0, 0.0, 0.0, note)
+        return ObeyedPoint(target.view, target.name, "outline", 0.0, 0.0, 0.0, note)
     note = f"the point lies {claim.gap_mm / 10.0:.0f} cm off the body, so it was left out: drag it back to the outline"
-    return ObeyedPoint(wish.view, wish.name, "outline", claim.gap_px, claim.gap_px, 0.0, note)
+    return ObeyedPoint(target.view, target.name, "outline", claim.gap_px, claim.gap_px, 0.0, note)
 
 
 def _outcomes(work: _Work, bend: _Bend) -> list[ObeyedPoint]:
     """Return the outcomes of all constraints."""
     pixels, after_px = work.bent_pixels(bend), []
     for claim in work.claims:
-        shown = outermost_point(claim.edges, pixels[claim.wish.view], claim.wish.target_px, claim.outward)
+        shown = outermost_point(claim.edges, pixels[claim.target.view], claim.target.target_px, claim.outward)
         after_px.append(claim.gap_px if shown is None else abs(shown[1]))
     out = []
     for k, claim in enumerate(work.claims):
-        wish = claim.wish
+        target = claim.target
         moved_mm = mm_from_m(float(np.linalg.norm(bend.of(claim.place) @ bend.raised_m)))
-        others = [work.claims[j].wish for j in range(len(work.claims)) if j != k and after_px[j] > 1.0]
+        others = [work.claims[j].target for j in range(len(work.claims)) if j != k and after_px[j] > 1.0]
         note = _is_separated(after_px[k], others) if after_px[k] > 1.0 else ""
-        out.append(ObeyedPoint(wish.view, wish.name, "outline", claim.gap_px, after_px[k], moved_mm, note))
+        out.append(ObeyedPoint(target.view, target.name, "outline", claim.gap_px, after_px[k], moved_mm, note))
     return out
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from cloner.abreast import abreast
-from cloner.detectors.face.found import frontal_face
+from cloner.detectors.face.frontal import frontal_face
 from cloner.detectors.table import DETECTORS
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.generic.surfaces import load_surfaces

@@ -90,11 +90,11 @@ class BodyNet:
     """
 
     offset: Array
-    spread: Array
+    sigma: Array
 
     def __post_init__(self) -> None:
         count = len(LANDMARKS)
-        freeze(self, offset=(np.float64, (len(SIDES), count, 3)), spread=(np.float64, (len(SIDES), count)))
+        freeze(self, offset=(np.float64, (len(SIDES), count, 3)), sigma=(np.float64, (len(SIDES), count)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,7 +115,7 @@ class NetPoints:
     points_px: Array
     bases: tuple[str, ...]
     offset: Array
-    spread: Array
+    sigma: Array
 
 
 def base_position(generic: GenericHuman, base: str, vertices_m: Array, joints_m: Array) -> Array:
@@ -163,7 +163,7 @@ def net_points(proposal: Proposal, side_shown: str, *, without: Collection[str] 
         np.array([row.point_px for row in told]).reshape(-1, 2),
         tuple(row.base for row in told),
         np.array([row.offset for row in told]).reshape(-1, 3),
-        np.array([row.spread for row in told]),
+        np.array([row.sigma for row in told]),
     )
 
 
@@ -173,7 +173,7 @@ class _Row(NamedTuple):
     point_px: Array
     base: str
     offset: Array
-    spread: float
+    sigma: float
     corrected_as: str
 
 
@@ -189,8 +189,8 @@ def _pose_net_rows(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
             place = SIDES.index(seen_points.visible_aspect(own, side_shown))
             mirrored = side_shown == "right" if middle else not left
             offset = net.offset[place, row] * ((-1.0, 1.0, 1.0) if mirrored else 1.0)
-            spread = _REAL * float(net.spread[place, row])
-            yield _Row(proposal.pose_px[mark.rows[not left]], mark.base(left), offset, spread, mark.corrected_as(left))
+            sigma = _REAL * float(net.sigma[place, row])
+            yield _Row(proposal.pose_px[mark.rows[not left]], mark.base(left), offset, sigma, mark.corrected_as(left))
 
 
 def _label_net_rows(proposal: Proposal, side_shown: str) -> Iterator[_Row]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.profile import front_contour, outline
-from cloner.detectors.taught import propagate_to_net
+from cloner.detectors.propagation import propagate_to_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.head.ears import PointObservations, ear_observations, inner_observations
@@ -108,7 +108,7 @@ class SideEvidence:
     normals_px: Array
     ears: PointObservations
     inside: PointObservations
-    flank: SkinMatches | None = None
+    matches: SkinMatches | None = None
     outline: Outline | None = None
 
 

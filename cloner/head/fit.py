@@ -178,10 +178,10 @@ def _side_evidence(model: HeadModel, side: SideEvidence, fit: ShapeFit, iteratio
         base, basis = model.vertex_places(vertices[kept])
         sigma = np.full(len(kept), 1.5 * params.contour_m / metres)
         out.append(Evidence(index, base, basis, target, sigma, normal_px=normal))
-    if side.flank is not None and len(side.flank.vertices):
-        base, basis = model.vertex_places(side.flank.vertices)
+    if side.matches is not None and len(side.matches.vertices):
+        base, basis = model.vertex_places(side.matches.vertices)
         sigma = np.full(len(base), params.flank_m / metres)
-        out.append(Evidence(index, base, basis, side.flank.points_px, sigma, outlier=2.0))
+        out.append(Evidence(index, base, basis, side.matches.points_px, sigma, outlier=2.0))
     return out
 
 

@@ -94,10 +94,10 @@ def _side_evidence(model: HeadModel, whole: Array, camera: Camera, side: SideEvi
     rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
     sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
     out = [PhotoEvidence(camera, whole[vertices[kept]], rows, target, sigma, normal)]
-    if side.flank is not None and len(side.flank.vertices):
-        rows = csr_matrix(controls.weights[model.row[side.flank.vertices]][:, movable])
+    if side.matches is not None and len(side.matches.vertices):
+        rows = csr_matrix(controls.weights[model.row[side.matches.vertices]][:, movable])
         sigma = np.full(rows.shape[0], params.loose_net * params.flank_m / metres)
-        out.append(PhotoEvidence(camera, whole[side.flank.vertices], rows, side.flank.points_px, sigma))
+        out.append(PhotoEvidence(camera, whole[side.matches.vertices], rows, side.matches.points_px, sigma))
     fixed = side.sigma_m <= params.corrected_m
     if fixed.any():
         rows = csr_matrix(controls.weights[model.row[side.vertices[fixed]]][:, movable])

@@ -22,7 +22,7 @@ from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.contour_match import farthest_by_sector, occluding_points
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.head.model import HeadModel
 from cloner.head.outline import Outline
 from cloner.records.arrays import Array
@@ -159,11 +159,11 @@ def _on_edges_among(places: SurfacePoints, wanted: NDArray[np.bool_]) -> Surface
 
 
 def _hair_evidence(sight: _HeadView, places: SurfacePoints, hair: Array, before: int) -> list[Evidence]:
-    usual, spread = np.array(HAIR_M).T
+    usual, sigma = np.array(HAIR_M).T
     share = hair_thickness_basis(places.at(sight.normals))
-    gap, which = sight.nearest(places, share @ (usual + spread * hair))
+    gap, which = sight.nearest(places, share @ (usual + sigma * hair))
     kept = gap < VAULT_GATE_M
-    drift = np.vstack([np.zeros((before, int(kept.sum()))), (share[kept] * spread).T])
+    drift = np.vstack([np.zeros((before, int(kept.sum()))), (share[kept] * sigma).T])
     return sight.evidence(places.take(kept), which[kept], VAULT_M, share[kept] @ usual, drift)
 
 

@@ -21,7 +21,7 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.meshes.triangles import areas
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 

@@ -8,12 +8,12 @@ from typing import Final
 import numpy as np
 from scipy.spatial import cKDTree
 
-from cloner.editing.claims import posed_photo
+from cloner.editing.outline_constraints import posed_photo
 from cloner.editing.places import generic_metric
 from cloner.frames import ViewId
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.rim_search import occluding_contour
-from cloner.geometry.outlines.rims import borders_px, fill_triangles
+from cloner.geometry.outlines.contour_search import occluding_contour
+from cloner.geometry.outlines.silhouette import borders_px, fill_triangles
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.silhouettes import Silhouette

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner import pipeline
-from cloner.editing.claims import posed_photo
 from cloner.editing.face import preview_face
+from cloner.editing.outline_constraints import posed_photo
 from cloner.frames import ViewId
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.rims import borders_px, fill_triangles
+from cloner.geometry.outlines.silhouette import borders_px, fill_triangles
 from cloner.records.clones import Clone, Joined
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ObeyedPoint, PointSet, ViewPoints

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.seen_points import NAMES
 from cloner.records.labels import GARMENTS, Label, shows
-from cloner.vision.retouching.evening import beyond_light, log_levels
+from cloner.vision.retouching.normalising import beyond_light, log_levels
 from cloner.vision.segmentation.pieces import box_around, connected_pieces
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.labels.looks import Floats, LabelEvidence, Photo, Points, resized_to
+from cloner.labels.evidence import Floats, LabelEvidence, Photo, Points, resized_to
 from cloner.labels.own_skin import relabel_foreign_skin
 from cloner.records.labels import Label, shows
 from cloner.vision.photographs.head_frame import HeadFrame

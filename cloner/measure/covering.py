@@ -14,7 +14,7 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.cameras.seeing import front_facing, visibility
+from cloner.geometry.cameras.visibility import front_facing, visibility
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined

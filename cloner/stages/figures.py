@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.pose_order import pose_by_mirror
-from cloner.detectors.face.found import Face, frontal_face, frontal_face_behind_hair
+from cloner.detectors.face.frontal import Face, frontal_face, frontal_face_behind_hair
 from cloner.detectors.nets.portraits import is_cut_below
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.labels.crops import is_cut_by_crop, person_crop
-from cloner.labels.looks import LabelEvidence, label_evidence
+from cloner.labels.evidence import LabelEvidence, label_evidence
 from cloner.labels.photo import label_photo
 from cloner.records.photos import Photo
 from cloner.vision.segmentation.masks import refine_mask
@@ -73,7 +73,7 @@ class Figure:
     inside : (H, W) bool
     labels : (H, W) uint8
     face : tuple
-        As :func:`cloner.detectors.face.found.frontal_face` gives it.
+        As :func:`cloner.detectors.face.frontal.frontal_face` gives it.
     seen_px : (21, 2) or (0, 2)
         Joints and points under clothes.
     naked_px : (N, 4)

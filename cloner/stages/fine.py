@@ -35,8 +35,8 @@ from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.rims import vertex_normals
 from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, without_folds
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person

@@ -195,8 +195,8 @@ def _fit_with_matches(
             break
         cameras, shown = (fitted.front, fitted.side), 1 if side.facing > 0 else 0
         wholes = model.whole_in_photo(FRONT, coefficients), model.whole_in_photo(SIDE, coefficients)
-        flank = match_front_to_side(model.generic, wholes, cameras, pictures, side=shown)
-        side = replace(side, flank=flank)
+        matches = match_front_to_side(model.generic, wholes, cameras, pictures, side=shown)
+        side = replace(side, matches=matches)
         coefficients, fitted, _ = fit_head(
             model, front, side, cameras, params, coefficients, zoom_sigma=zoom_sigma, iterations=LOOK_TURNS
         )

@@ -15,10 +15,10 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from cloner.detectors.body.body_points import ENDS
-from cloner.editing.claims import posed_photo
+from cloner.editing.outline_constraints import posed_photo
 from cloner.editing.pose import obey_pose
 from cloner.editing.skin import obey_skin
-from cloner.editing.wishes import PointConstraint
+from cloner.editing.targets import PointConstraint
 from cloner.frames import ViewId
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
@@ -60,7 +60,7 @@ def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) ->
     views = {view: posed for view, posed in joined.views.items() if view.is_body}
     scales = [_stature_message(joined, views[view], name, point) for view, name, point in placed if name in ENDS]
     outlines = [PointConstraint(*one) for one in placed if one[1] not in ENDS and _is_on_outline(one[1])]
-    on_skin = [wish for wish in outlines if not _is_on_cloth(silhouettes.views.get(wish.view), wish.target_px)]
+    on_skin = [target for target in outlines if not _is_on_cloth(silhouettes.views.get(target.view), target.target_px)]
     cloths = [ObeyedPoint(w.view, w.name, "cloth", 0.0, 0.0) for w in outlines if w not in on_skin]
     on_pose = [PointConstraint(*one) for one in placed if one[1] not in ENDS and _is_pose_point(one[1])]
     joints, views, poses = obey_pose(joined.vertices_m, joined.joints_m, views, on_pose)

@@ -254,7 +254,7 @@ def _outline_odds(proposal: Proposal) -> float:
     It costs 0.08-0.43 on profiles, median 0.22; 0.25-0.49 on fronts and backs, median 0.4.
     """
     found = side_face_of(proposal)
-    return -2.0 if found is None else max(-log_odds(found.laid.cost, 0.32, 0.03, 3.0), -2.0)
+    return -2.0 if found is None else max(-log_odds(found.fitted.cost, 0.32, 0.03, 3.0), -2.0)
 
 
 def _front_face_odds(photo: Photo) -> float:

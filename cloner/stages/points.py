@@ -12,8 +12,8 @@ from cloner.abreast import abreast
 from cloner.body.bone_checks import check_bones
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.body_points import ENDS
+from cloner.detectors.propagation import propagate_corrections
 from cloner.detectors.table import DETECTORS
-from cloner.detectors.taught import propagate_corrections
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.seen_points import combined_pose

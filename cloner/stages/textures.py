@@ -34,8 +34,9 @@ from cloner.paint.details.nostrils import darken_nostrils
 from cloner.paint.details.parts import face_rgb, paint_parts
 from cloner.paint.details.tucking import tuck_scalp
 from cloner.paint.details.unseen_clothes import dress_unseen, extend_clothes, nearness_to_seen, shows_faces_only
-from cloner.paint.lookups.doubted import reject_grazing, reject_slanted, reject_wrong_parts
-from cloner.paint.lookups.evened import (
+from cloner.paint.lookups.feature_lines import align_feature_lines
+from cloner.paint.lookups.materials import Materials, find_materials, with_surroundings
+from cloner.paint.lookups.normalised import (
     compare_photos,
     fill_surface,
     match_borders,
@@ -43,9 +44,8 @@ from cloner.paint.lookups.evened import (
     normalised_colours,
     vertex_colours,
 )
-from cloner.paint.lookups.feature_lines import align_feature_lines
-from cloner.paint.lookups.materials import Materials, find_materials, with_surroundings
 from cloner.paint.lookups.prepared import Limits
+from cloner.paint.lookups.rejected import reject_grazing, reject_slanted, reject_wrong_parts
 from cloner.paint.lookups.sources import Source, gather_sources
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone, Joined, TextureAtlas

@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 from painted_people import BACKGROUNDS, TIGHTNESSES, Shot, photograph_once
 from painted_people_clothes import HAIR
 
-from cloner.detectors.body.flanks import find_side_contour, outward_sign, polyline_columns
 from cloner.detectors.body.front_cues import arm_cues, front_cues, level_of
 from cloner.detectors.body.front_features import find_side, foot_end, joint_places
 from cloner.detectors.body.pose_order import corrected_pose
+from cloner.detectors.body.side_contours import find_side_contour, outward_sign, polyline_columns
 from cloner.detectors.body.side_cues import body_axis, find_body_profile, foot_ends, side_cues
 from cloner.detectors.body.side_features import find_from_side, profile_joints
 from cloner.detectors.nets import litert

@@ -2,8 +2,8 @@
 
 Random painted people, beyond the generic's family as those of ``calibrate_head_net.py``, are photographed from the
 front and one side; what the product proposes is compared with the truth. The result, ``cloner_models/face_errors.npz``,
-lets a point that an operator places mend its neighbours (``cloner/detectors/taught.py``). To be repeated when detectors
-change (80 people: 6 CPU minutes).
+lets a point that an operator places correct its neighbours (``cloner/detectors/propagation.py``). To be repeated when
+detectors change (80 people: 6 CPU minutes).
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from painted_people_pictures import BACKGROUNDS
 
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.face_points import propose_face_points
-from cloner.detectors.taught import LEAST, MOST
+from cloner.detectors.propagation import LEAST, MOST
 from cloner.errors import ClonerError
 from cloner.frames import FACE_VIEWS, ViewId
 from cloner.generic.load import load_generic

@@ -26,7 +26,7 @@ from cloner.frames import ViewId
 from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.surface import SurfacePoints, first_hits, nearest_points
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.views import Camera
 from cloner.vision.retouching.open_mouth import INNER_LIPS
 

@@ -64,14 +64,14 @@ def examples(proposal: Proposal, truth: TruthView) -> Examples | None:
     full = whole_outline(proposal.mask)
     if full is None:
         return None
-    laid = align_near_hints(proposal.mask, full, model, hints) + align_anywhere(proposal.mask, full, model)
-    if not laid:
+    fitted = align_near_hints(proposal.mask, full, model, hints) + align_anywhere(proposal.mask, full, model)
+    if not fitted:
         return None
     rows = [model.names.index(name) for name in MARKS]
     places = np.array([truth.points_m[name] for name in MARKS])
     true_px, pixel_mm = truth.camera.project(places), mm_from_m(truth.camera.metres_per_pixel(places.mean(axis=0)))
-    away = [np.linalg.norm(named_px(model, one)[0][rows] - true_px, axis=1).mean() * pixel_mm for _, one in laid]
-    seen = [features(model, one, facing, proposal.labels, judge_hints(hints)) for facing, one in laid]
+    away = [np.linalg.norm(named_px(model, one)[0][rows] - true_px, axis=1).mean() * pixel_mm for _, one in fitted]
+    seen = [features(model, one, facing, proposal.labels, judge_hints(hints)) for facing, one in fitted]
     return Examples(np.array(seen), np.array(away))
 
 

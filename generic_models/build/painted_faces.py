@@ -25,7 +25,7 @@ from painted_people_pictures import Background, developed, in_shadow, rendered, 
 
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.photos import Photo
 from cloner.records.views import Camera
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray  # noqa: E402
 from scipy.sparse import coo_matrix, csr_matrix, identity  # noqa: E402
 
 from cloner.generic.load import GenericHuman  # noqa: E402
-from cloner.geometry.outlines.rims import vertex_normals  # noqa: E402
+from cloner.geometry.outlines.silhouette import vertex_normals  # noqa: E402
 from cloner.records.views import Camera  # noqa: E402
 
 Array = NDArray[np.float64]

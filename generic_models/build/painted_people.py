@@ -40,7 +40,7 @@ from painted_people_pictures import (
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import blend_transforms
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.views import Camera
 

@@ -15,7 +15,7 @@ from cloner.generic.tape import load_tape_rules
 from cloner.geometry.articulation.poses import FREEDOMS, pose_matrix, standing_pose
 from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.measurement.measures import girths_mm
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 
 Array = NDArray[np.float64]
 

@@ -31,7 +31,7 @@ from scipy.sparse import coo_matrix, csr_matrix, diags, vstack
 
 from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 
 __all__ = [
     "CLOTH", "HAIR", "ORGAN", "SHOE", "SKIN", "TIGHTNESSES", "Dressed", "Tightness", "Wardrobe", "dress",

@@ -27,7 +27,7 @@ from scan_heads import laid_generic, read_family, twin_vertices
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.head.ears import ear_modes
 from cloner.head.modes import bent_shapes
 from cloner.records.views import Camera

@@ -17,7 +17,7 @@ from scan_portraits import scan_head
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 
 Array = NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from painted_people_bodies import waves
 
 from cloner.generic.load import GenericHuman
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 
 Array = NDArray[np.float64]
 
@@ -142,13 +142,13 @@ def joint_model(curves: Array, named: Array, modes: int) -> tuple[Array, Array, 
     mean = joint[0] - joint[0, :count].mean(axis=0)
     for _ in range(4):
         mean = mean * (sizes.mean() / np.linalg.norm(mean[:count] - mean[:count].mean(axis=0)))
-        laid = np.stack([_laid(shape, mean, count) for shape in joint])
-        mean = laid.mean(axis=0)
-    flat = (laid - mean).reshape(len(laid), -1)
+        fitted = np.stack([_laid(shape, mean, count) for shape in joint])
+        mean = fitted.mean(axis=0)
+    flat = (fitted - mean).reshape(len(fitted), -1)
     _, size, basis = np.linalg.svd(flat, full_matrices=False)
     kept = (size[:modes, None] / np.sqrt(len(flat))) * basis[:modes]
     rest = flat - (flat @ basis[:modes].T) @ basis[:modes]
-    spread = np.sqrt((rest.reshape(laid.shape) ** 2).mean(axis=(0, 2)))
+    spread = np.sqrt((rest.reshape(fitted.shape) ** 2).mean(axis=(0, 2)))
     return mean, kept.reshape(modes, *mean.shape), spread
 
 

@@ -23,7 +23,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.alignment import similarity_alignment
 from cloner.geometry.meshes.surface import SurfacePoints, nearest_points
 from cloner.geometry.meshes.triangles import edges_of
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 
 Array = NDArray[np.float64]
 

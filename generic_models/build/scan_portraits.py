@@ -22,7 +22,7 @@ from scipy.spatial import cKDTree
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]

@@ -10,7 +10,7 @@ from cloner.frames import BODY_VIEWS
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.outlines.rims import fill_triangles
+from cloner.geometry.outlines.silhouette import fill_triangles
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.points import PointSet, ViewPoints

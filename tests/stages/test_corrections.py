@@ -14,7 +14,7 @@ from scipy.spatial import cKDTree
 from cloner.editing.face import preview_face
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import triangle_normals
+from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
 from cloner.stages.obeyed import bend_silhouettes, obey, warnings_of

@@ -8,7 +8,7 @@ import pytest
 from cloner import pipeline
 from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import triangle_normals
+from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.photos import Person
 from cloner.records.points import PointSet, Proposals

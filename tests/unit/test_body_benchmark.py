@@ -8,7 +8,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
 from kit.scripts import script

@@ -10,7 +10,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.layers import Layer, clone_layers
 from cloner.geometry.cameras.viewpoints import look_at
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.views import Camera
 from cloner.render import coverage, draw
 from kit.clones import toy_clone
@@ -58,8 +58,8 @@ def test_the_nearer_surface_is_the_nearer_one_in_both(place, pictures):
     faces = np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32)
     red, blue = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
     layers = [
-        Layer(plate, vertex_normals(plate, faces), faces, colour=colour, two_sided=True)
-        for plate, colour in ((square, red), (turned, blue))
+        Layer(matted, vertex_normals(matted, faces), faces, colour=colour, two_sided=True)
+        for matted, colour in ((square, red), (turned, blue))
     ]
     ours = draw(layers, camera, background=(0, 255, 0)).astype(float)
     points, corners = np.vstack([square, turned]), np.vstack([faces, faces + 4])

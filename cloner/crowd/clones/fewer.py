@@ -18,7 +18,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.geometry.meshes.triangles import edges_of, triangle_sides
-from cloner.geometry.outlines.rims import triangle_normals
+from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.arrays import Array
 
 Whole = NDArray[np.int64]

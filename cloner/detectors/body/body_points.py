@@ -110,7 +110,7 @@ def _front_points(figure: SoftMask, pose: Array, proposal: Proposal) -> tuple[Fo
     found: Found = {}
     for look in looks:
         found |= side_points(figure, pose, look, kind)
-        found[f"sole_{net.SIDES[look.flank.side]}"] = _sole(figure, pose, look)
+        found[f"sole_{net.SIDES[look.contour.side]}"] = _sole(figure, pose, look)
     fork = crotch(figure, looks, kind, proposal.labels)
     if fork is not None:
         found["crotch"] = fork
@@ -119,10 +119,10 @@ def _front_points(figure: SoftMask, pose: Array, proposal: Proposal) -> tuple[Fo
 
 def _sole(figure: SoftMask, pose: Array, look: SideFindings) -> tuple[Array, float]:
     """Return the lowest outline under an ankle."""
-    ankle = pose[net.ANKLES[look.flank.side]]
+    ankle = pose[net.ANKLES[look.contour.side]]
     if "bottom" in figure.cut:
         return np.array([ankle[0], figure.bottom_px[1]]), CUT_ERROR
-    return np.array([ankle[0], sole_row(figure, look.flank, float(ankle[1]))]), END_ERROR
+    return np.array([ankle[0], sole_row(figure, look.contour, float(ankle[1]))]), END_ERROR
 
 
 def _side_points(figure: SoftMask, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:

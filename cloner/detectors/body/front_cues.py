@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.flanks import SideContour, arm_strip
+from cloner.detectors.body.side_contours import SideContour, arm_strip
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SMOOTH, SoftMask, Strip, extreme, gap_top, smoothed
@@ -35,9 +35,9 @@ def row_of(figure: SoftMask, level: float) -> float:
     return float(figure.bottom_px[1] - level * figure.height_px)
 
 
-def front_cues(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, float]:
+def front_cues(figure: SoftMask, pose_px: Array, contour: SideContour) -> dict[str, float]:
     """Return levels by name, without those that cannot be seen."""
-    side, other = flank.side, 1 - flank.side
+    side, other = contour.side, 1 - contour.side
     rows = {
         "net_ears": pose_px[list(net.EARS), 1].mean(),
         "net_shoulder": pose_px[net.SHOULDERS[side], 1],
@@ -52,29 +52,29 @@ def front_cues(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str
         "net_toe": pose_px[net.TOES[side], 1],
     }
     found = {name: float(row) for name, row in rows.items()}
-    places = _gaps(figure, flank) | _trunk(figure, pose_px, flank) | _leg(figure, pose_px, flank)
-    found |= {name: float(flank.rows[0] + place) for name, place in places.items() if place is not None}
-    found["cue_sole"] = sole_row(figure, flank, float(pose_px[net.ANKLES[side], 1]))
+    places = _gaps(figure, contour) | _trunk(figure, pose_px, contour) | _leg(figure, pose_px, contour)
+    found |= {name: float(contour.rows[0] + place) for name, place in places.items() if place is not None}
+    found["cue_sole"] = sole_row(figure, contour, float(pose_px[net.ANKLES[side], 1]))
     return {name: level_of(figure, row) for name, row in found.items()}
 
 
-def _gaps(figure: SoftMask, flank: SideContour) -> dict[str, float | None]:
+def _gaps(figure: SoftMask, contour: SideContour) -> dict[str, float | None]:
     """Return the entries at which the gaps below armpit and crotch open."""
     least = GAP * figure.height_px
-    legs = np.where(np.isfinite(flank.strip.centres_px[:, 0]), flank.leg_gap, 0.0)
+    legs = np.where(np.isfinite(contour.strip.centres_px[:, 0]), contour.leg_gap, 0.0)
     return {
-        "cue_armpit": gap_top(np.nan_to_num(flank.arm_gap), least),
+        "cue_armpit": gap_top(np.nan_to_num(contour.arm_gap), least),
         "cue_crotch": gap_top(legs, least),
     }
 
 
-def _trunk(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
+def _trunk(figure: SoftMask, pose_px: Array, contour: SideContour) -> dict[str, float | None]:
     """Return the entries of neck, waist and hip at the extremes of the half width."""
     blur = SMOOTH * figure.height_px
-    half = smoothed(np.where(flank.arm_outline, np.nan, flank.half_width), blur)
-    bare = np.where(flank.veiled, np.nan, half)
+    half = smoothed(np.where(contour.arm_outline, np.nan, contour.half_width), blur)
+    bare = np.where(contour.veiled, np.nan, half)
     shoulders, hips, knees = (
-        flank.place(float(pose_px[list(pair), 1].mean())) for pair in (net.SHOULDERS, net.HIPS, net.KNEES)
+        contour.place(float(pose_px[list(pair), 1].mean())) for pair in (net.SHOULDERS, net.HIPS, net.KNEES)
     )
     narrow = extreme(bare, 0.1 * shoulders, 1.05 * shoulders, largest=False)
     found: dict[str, float | None] = {"cue_neck": narrow, "cue_neck_base": None}
@@ -89,10 +89,12 @@ def _trunk(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, fl
     return found
 
 
-def _leg(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, float | None]:
+def _leg(figure: SoftMask, pose_px: Array, contour: SideContour) -> dict[str, float | None]:
     """Return the entries of the leg's narrowest and widest places."""
-    width = smoothed(np.where(flank.leg_gap > 0.0, flank.strip.width, np.nan), SMOOTH * figure.height_px)
-    hip, knee, ankle = (flank.place(float(pose_px[pair[flank.side], 1])) for pair in (net.HIPS, net.KNEES, net.ANKLES))
+    width = smoothed(np.where(contour.leg_gap > 0.0, contour.strip.width, np.nan), SMOOTH * figure.height_px)
+    hip, knee, ankle = (
+        contour.place(float(pose_px[pair[contour.side], 1])) for pair in (net.HIPS, net.KNEES, net.ANKLES)
+    )
     shank = ankle - knee
     return {
         "cue_knee": extreme(width, knee - 0.3 * (knee - hip), knee + 0.35 * shank, largest=False),
@@ -102,13 +104,13 @@ def _leg(figure: SoftMask, pose_px: Array, flank: SideContour) -> dict[str, floa
     }
 
 
-def sole_row(figure: SoftMask, flank: SideContour, ankle_row: float) -> float:
+def sole_row(figure: SoftMask, contour: SideContour, ankle_row: float) -> float:
     """Return the picture row of the lowest outline under one ankle."""
-    start = round(flank.place(ankle_row))
-    inside = np.isfinite(flank.strip.far[max(start, 0) :])
+    start = round(contour.place(ankle_row))
+    inside = np.isfinite(contour.strip.far[max(start, 0) :])
     below = np.flatnonzero(~inside)
     last = (below[0] - 1) if len(below) else len(inside) - 1
-    return float(flank.rows[0] + max(start, 0) + max(last, 0)) if len(inside) else float(figure.bottom_px[1])
+    return float(contour.rows[0] + max(start, 0) + max(last, 0)) if len(inside) else float(figure.bottom_px[1])
 
 
 def arm_cues(figure: SoftMask, pose_px: Array, side: int) -> tuple[dict[str, float], Strip, Array]:

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.flanks import SideContour, arm_polyline, find_side_contour
 from cloner.detectors.body.front_cues import arm_cues, front_cues, row_of, sole_row
 from cloner.detectors.body.levels import Levels, Offsets, infer_levels, load_levels, load_offsets
+from cloner.detectors.body.side_contours import SideContour, arm_polyline, find_side_contour
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
@@ -56,7 +56,7 @@ class SideFindings:
         Places along the arm.
     """
 
-    flank: SideContour
+    contour: SideContour
     cues: Mapping[str, float]
     levels: Levels
     arm: Strip
@@ -79,11 +79,11 @@ def find_side(figure: SoftMask, pose_px: Array, side: int, kind: str, hair: NDAr
     kind : "front" or "back"
     hair : (H, W) bool
     """
-    flank = find_side_contour(figure, pose_px, side, hair)
-    cues = front_cues(figure, pose_px, flank)
+    contour = find_side_contour(figure, pose_px, side, hair)
+    cues = front_cues(figure, pose_px, contour)
     places, strip, share = arm_cues(figure, pose_px, side)
     return SideFindings(
-        flank,
+        contour,
         cues,
         infer_levels(load_levels(kind), cues),
         strip,
@@ -94,7 +94,7 @@ def find_side(figure: SoftMask, pose_px: Array, side: int, kind: str, hair: NDAr
 
 def side_points(figure: SoftMask, pose_px: Array, look: SideFindings, kind: str) -> Found:
     """Return the named points of one side, joints too."""
-    name = net.SIDES[look.flank.side]
+    name = net.SIDES[look.contour.side]
     found = {f"{n}_{name}": placed for n, placed in _contour_points(figure, look).items()}
     found |= {f"{n}_{name}": placed for n, placed in _arm_contour_points(figure, look).items()}
     found |= {f"{n}_{name}": placed for n, placed in _shoulder(figure, pose_px, look).items()}
@@ -113,28 +113,28 @@ def side_points(figure: SoftMask, pose_px: Array, look: SideFindings, kind: str)
 
 def _contour_point(figure: SoftMask, look: SideFindings, name: str, *, far: bool) -> Placed | None:
     """Return the contour at a feature's level, with its expected error."""
-    place = look.flank.place(row_of(figure, look.levels.level[name]))
-    point = look.flank.strip.border_px(place, far=far)
+    place = look.contour.place(row_of(figure, look.levels.level[name]))
+    point = look.contour.strip.border_px(place, far=far)
     if point is None:
         return None
     step = 0.01 * figure.height_px
-    ends = [look.flank.strip.border_px(place + at, far=far) for at in (-step, step)]
+    ends = [look.contour.strip.border_px(place + at, far=far) for at in (-step, step)]
     lean = [abs(float(end[0] - point[0])) / step for end in ends if end is not None]
     steep = min(float(np.mean(lean)), _LEAN) if lean else _LEAN
-    return point, _level_error(look.levels.spread[name]) * float(np.hypot(1.0, steep)) + MASK_ERROR
+    return point, _level_error(look.levels.sigma[name]) * float(np.hypot(1.0, steep)) + MASK_ERROR
 
 
-def _level_error(spread: float) -> float:
-    return MEAN_OF_NORMAL * spread
+def _level_error(sigma: float) -> float:
+    return MEAN_OF_NORMAL * sigma
 
 
 def _contour_points(figure: SoftMask, look: SideFindings) -> Found:
     """Return the points on the contours of trunk and leg."""
-    flank, found = look.flank, dict[str, Placed]()
+    contour, found = look.contour, dict[str, Placed]()
     for name in ("waist", "hip", "knee_outer", "ankle_outer", "knee_inner", "ankle_inner"):
-        entry = round(np.clip(flank.place(row_of(figure, look.levels.level[name])), 0, len(flank.rows) - 1))
+        entry = round(np.clip(contour.place(row_of(figure, look.levels.level[name])), 0, len(contour.rows) - 1))
         inner = name.endswith("inner")
-        hidden = flank.leg_gap[entry] <= 0.0 if inner else flank.arm_outline[entry]
+        hidden = contour.leg_gap[entry] <= 0.0 if inner else contour.arm_outline[entry]
         placed = None if hidden else _contour_point(figure, look, name, far=not inner)
         if placed is not None:
             found[name] = placed
@@ -150,7 +150,7 @@ def _arm_contour_points(figure: SoftMask, look: SideFindings) -> Found:
         point = look.arm.border_px(place, far=name.endswith("outer"))
         if point is None or not _is_arm(figure, look, place):
             continue
-        found[name] = point, _level_error(look.arm_levels.spread[name]) * length + MASK_ERROR
+        found[name] = point, _level_error(look.arm_levels.sigma[name]) * length + MASK_ERROR
     return found
 
 
@@ -163,13 +163,13 @@ def _is_arm(figure: SoftMask, look: SideFindings, place: float) -> bool:
 def _shoulder(figure: SoftMask, pose_px: Array, look: SideFindings) -> Found:
     """Return the base of the neck and the end of the shoulder, as shares of the shoulder width."""
     shoulders = pose_px[list(net.SHOULDERS)]
-    middle, own = shoulders.mean(axis=0), shoulders[look.flank.side]
+    middle, own = shoulders.mean(axis=0), shoulders[look.contour.side]
     breadth = abs(float(own[0] - middle[0])) / figure.height_px
     column = {
         name: float(middle[0] + look.arm_levels.level[name] * (own[0] - middle[0]))
         for name in ("neck_base", "shoulder_end")
     }
-    error = {name: _level_error(look.arm_levels.spread[name]) * breadth for name in column}
+    error = {name: _level_error(look.arm_levels.sigma[name]) * breadth for name in column}
     found: Found = {}
     rows = np.arange(own[1] + 0.03 * figure.height_px, own[1] - 0.10 * figure.height_px, -1.0)
     line = np.stack([np.full(len(rows), column["shoulder_end"]), rows], axis=1)
@@ -178,23 +178,23 @@ def _shoulder(figure: SoftMask, pose_px: Array, look: SideFindings) -> Found:
         last = int(np.flatnonzero(inside)[-1])
         found["shoulder_end"] = figure.crossing(line[last], line[last + 1]), error["shoulder_end"] + MASK_ERROR
     base = np.array([column["neck_base"], row_of(figure, look.levels.level["neck_base"])])
-    nearest = look.flank.strip.nearest_px(base, far=True, reach_px=NECK_REACH * figure.height_px)
-    if nearest is not None and not look.flank.veiled[round(look.flank.place(float(nearest[1])))]:
-        level_error = _level_error(look.levels.spread["neck_base"])
+    nearest = look.contour.strip.nearest_px(base, far=True, reach_px=NECK_REACH * figure.height_px)
+    if nearest is not None and not look.contour.veiled[round(look.contour.place(float(nearest[1])))]:
+        level_error = _level_error(look.levels.sigma["neck_base"])
         found["neck_base"] = nearest, float(np.hypot(error["neck_base"], level_error)) + MASK_ERROR
     return found
 
 
 def _armpit(figure: SoftMask, pose_px: Array, look: SideFindings, kind: str) -> Placed | None:
     """Return the top of the background between arm and trunk, None where it is not the armpit's."""
-    flank = look.flank
+    contour = look.contour
     if not look.used("cue_armpit"):
         return None
     row = row_of(figure, look.cues["cue_armpit"])
-    entry = round(flank.place(row))
-    line = arm_polyline(pose_px, flank.side)
+    entry = round(contour.place(row))
+    line = arm_polyline(pose_px, contour.side)
     arm = np.array([np.interp(row, np.maximum.accumulate(line[:, 1]), line[:, 0]), row])
-    return _gap_point(figure, look, "armpit", kind, flank.strip.centres_px[entry], arm)
+    return _gap_point(figure, look, "armpit", kind, contour.strip.centres_px[entry], arm)
 
 
 def crotch(
@@ -206,8 +206,8 @@ def crotch(
     """
     if not looks[0].used("cue_crotch"):
         return None
-    entries = [round(look.flank.place(row_of(figure, looks[0].cues["cue_crotch"]))) for look in looks]
-    ends = [look.flank.strip.centres_px[entry] for look, entry in zip(looks, entries, strict=True)]
+    entries = [round(look.contour.place(row_of(figure, looks[0].cues["cue_crotch"]))) for look in looks]
+    ends = [look.contour.strip.centres_px[entry] for look, entry in zip(looks, entries, strict=True)]
     placed = _gap_point(figure, looks[0], "crotch", kind, ends[0], ends[1])
     return None if placed is None or _under_a_hem(labels, placed[0], np.array(ends), figure.height_px) else placed
 
@@ -241,16 +241,16 @@ def joint_places(figure: SoftMask, pose_px: Array, look: SideFindings) -> dict[s
     Each joint maps to places by source: ``net`` keeps the net's place across the limb,
     ``middle`` lies halfway between the limb's two outline points (method §5).
     """
-    flank, found = look.flank, dict[str, dict[str, Array]]()
+    contour, found = look.contour, dict[str, dict[str, Array]]()
     for joint, pair in (("shoulder", net.SHOULDERS), ("hip", net.HIPS), ("knee", net.KNEES), ("ankle", net.ANKLES)):
         row = row_of(figure, look.levels.level[f"joint_{joint}"])
-        found[joint] = {"net": np.array([pose_px[pair[flank.side], 0], row])}
-        entry = round(np.clip(flank.place(row), 0, len(flank.rows) - 1))
-        middle = flank.strip.middle_px[entry]
-        if joint in ("knee", "ankle") and flank.leg_gap[entry] > 0.0 and np.isfinite(middle).all():
+        found[joint] = {"net": np.array([pose_px[pair[contour.side], 0], row])}
+        entry = round(np.clip(contour.place(row), 0, len(contour.rows) - 1))
+        middle = contour.strip.middle_px[entry]
+        if joint in ("knee", "ankle") and contour.leg_gap[entry] > 0.0 and np.isfinite(middle).all():
             found[joint]["middle"] = np.array([middle[0], row])
     for joint, pair in (("elbow", net.ELBOWS), ("wrist", net.WRISTS)):
-        found[joint] = {"net": pose_px[pair[flank.side]]}
+        found[joint] = {"net": pose_px[pair[contour.side]]}
         place = np.interp(look.arm_levels.level[f"joint_{joint}"], look.arm_share, np.arange(len(look.arm_share)))
         entry = round(float(place))
         if _is_arm(figure, look, place) and np.isfinite(look.arm.middle_px[entry]).all():
@@ -260,12 +260,12 @@ def joint_places(figure: SoftMask, pose_px: Array, look: SideFindings) -> dict[s
 
 def foot_end(figure: SoftMask, pose_px: Array, look: SideFindings) -> Array | None:
     """Return the middle of the foot a little above its lowest row: the toes from the front, the heel from behind."""
-    flank = look.flank
-    sole = sole_row(figure, flank, float(pose_px[net.ANKLES[flank.side], 1]))
-    entry = round(flank.place(sole - FOOT_END * figure.height_px))
-    if not 0 <= entry < len(flank.rows) or flank.leg_gap[entry] <= 0.0:
+    contour = look.contour
+    sole = sole_row(figure, contour, float(pose_px[net.ANKLES[contour.side], 1]))
+    entry = round(contour.place(sole - FOOT_END * figure.height_px))
+    if not 0 <= entry < len(contour.rows) or contour.leg_gap[entry] <= 0.0:
         return None
-    middle = flank.strip.middle_px[entry]
+    middle = contour.strip.middle_px[entry]
     return middle if np.isfinite(middle).all() else None
 
 
@@ -275,5 +275,5 @@ def _corrected_joint(
     """Return a point's best position without its mean error, and the remaining error."""
     source = next(name for name in ("outline", "middle", "net") if name in places)
     offset, left = offsets.of(f"{joint}_{source}")
-    outwards_up = np.array([look.flank.outwards, -1.0]) * figure.height_px
+    outwards_up = np.array([look.contour.outwards, -1.0]) * figure.height_px
     return places[source] + offset * outwards_up, left

@@ -63,7 +63,7 @@ class Levels:
     """
 
     level: Mapping[str, float]
-    spread: Mapping[str, float]
+    sigma: Mapping[str, float]
     refused: tuple[str, ...]
 
 
@@ -96,10 +96,10 @@ def _conditioned(model: LevelModel, seen: Mapping[str, float], refused: tuple[st
         gain = np.linalg.solve(_observation_covariance(model, rows), covariance[rows]).T
         mean = mean + gain @ (np.array([seen[name] for name in seen]) - model.mean[rows])
         covariance = covariance - gain @ covariance[rows]
-    spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    sigma = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     return Levels(
         dict(zip(model.names, mean.tolist(), strict=True)),
-        dict(zip(model.names, spread.tolist(), strict=True)),
+        dict(zip(model.names, sigma.tolist(), strict=True)),
         refused,
     )
 

@@ -7,9 +7,9 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.flanks import ARM_HALF
 from cloner.detectors.body.front_cues import row_of
 from cloner.detectors.body.front_features import Found, SideFindings
+from cloner.detectors.body.side_contours import ARM_HALF
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
@@ -93,11 +93,11 @@ def front_states(
 
 def _arm_states(figure: SoftMask, pose_px: Array, look: SideFindings, found: Found, view: ViewId) -> list[PhotoState]:
     """Return whether an arm touches the trunk, and where its hand is."""
-    side = net.SIDES[look.flank.side]
-    shoulder, wrist = (float(pose_px[pair[look.flank.side], 1]) for pair in (net.SHOULDERS, net.WRISTS))
+    side = net.SIDES[look.contour.side]
+    shoulder, wrist = (float(pose_px[pair[look.contour.side], 1]) for pair in (net.SHOULDERS, net.WRISTS))
     states = []
     if f"armpit_{side}" not in found:
-        if _raised(pose_px, look.flank.side):
+        if _raised(pose_px, look.contour.side):
             return []
         advice = f"hold the arms a little away from the body and retake {view}"
         sentence = f"no background is seen between the {side} arm and the body; {advice}"
@@ -116,13 +116,13 @@ def _raised(pose_px: Array, side: int) -> bool:
 
 def hand_hidden(figure: SoftMask, pose_px: Array, look: SideFindings) -> bool:
     """Return whether a wrist lies on trunk or thighs, with no background between."""
-    wrist = pose_px[net.WRISTS[look.flank.side]]
-    entry = round(look.flank.place(float(wrist[1])))
-    if not 0 <= entry < len(look.flank.rows):
+    wrist = pose_px[net.WRISTS[look.contour.side]]
+    entry = round(look.contour.place(float(wrist[1])))
+    if not 0 <= entry < len(look.contour.rows):
         return False
-    strip = look.flank.strip
-    aside = (wrist[0] - strip.centres_px[entry, 0]) * look.flank.outwards
-    apart = look.flank.arm_gap[entry] > 0.0 or aside > strip.far[entry]
+    strip = look.contour.strip
+    aside = (wrist[0] - strip.centres_px[entry, 0]) * look.contour.outwards
+    apart = look.contour.arm_gap[entry] > 0.0 or aside > strip.far[entry]
     near_end = len(look.arm.far) - 1
     narrow = look.arm.width[
         round(min(look.arm_levels.level["joint_wrist"], look.arm_share[-1]) * near_end / look.arm_share[-1])
@@ -132,7 +132,7 @@ def hand_hidden(figure: SoftMask, pose_px: Array, look: SideFindings) -> bool:
 
 def _rejected_joints(figure: SoftMask, look: SideFindings) -> list[PhotoState]:
     """Return the net's joints that contradict the rest of the body."""
-    side, states = net.SIDES[look.flank.side], []
+    side, states = net.SIDES[look.contour.side], []
     for name, joint in _JOINTS.items():
         if name in look.levels.refused:
             sentence = f"the pose net put the {side} {joint} where none can be; its level was taken from the others"
@@ -160,8 +160,8 @@ def _foot_states(
 ) -> list[PhotoState]:
     """Return whether one foot hides the other, or something hides a foot."""
     ankles = pose_px[list(net.ANKLES)]
-    entry = round(looks[0].flank.place(float(ankles[:, 1].mean())))
-    width = looks[0].flank.strip.width[min(max(entry, 0), len(looks[0].flank.rows) - 1)]
+    entry = round(looks[0].contour.place(float(ankles[:, 1].mean())))
+    width = looks[0].contour.strip.width[min(max(entry, 0), len(looks[0].contour.rows) - 1)]
     apart = abs(float(ankles[0, 0] - ankles[1, 0])) / figure.height_px
     advice = f"stand with both feet side by side and retake {view}"
     if apart < _ONE_ANKLE and width < _ANKLE_WIDTH * figure.height_px:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.body.flanks import ARM_HALF, REACH, SLACK, arm_polyline, polyline_columns
 from cloner.detectors.body.front_cues import level_of
+from cloner.detectors.body.side_contours import ARM_HALF, REACH, SLACK, arm_polyline, polyline_columns
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SMOOTH, SoftMask, Strip, extreme, sample, smoothed, walk_strip

@@ -113,7 +113,7 @@ def _instep(figure: SoftMask, look: ProfileFindings) -> Placed | None:
     ahead = profile.forwards * levels.level["ankle_front_ahead"] * figure.height_px
     place = np.array([profile.strip.centres_px[entry, 0] + ahead, row])
     point = profile.strip.nearest_px(place, far=True, reach_px=INSTEP_REACH * figure.height_px)
-    error = MEAN_OF_NORMAL * float(np.hypot(levels.spread["ankle_front"], levels.spread["ankle_front_ahead"]))
+    error = MEAN_OF_NORMAL * float(np.hypot(levels.sigma["ankle_front"], levels.sigma["ankle_front_ahead"]))
     return None if point is None else (point, error + MASK_ERROR)
 
 
@@ -131,4 +131,4 @@ def _contour_point(figure: SoftMask, look: ProfileFindings, name: str, *, in_fro
     ends = [profile.strip.border_px(place + at, far=in_front) for at in (-step, step)]
     lean = [abs(float(end[0] - point[0])) / step for end in ends if end is not None]
     steep = min(float(np.mean(lean)), _LEAN) if lean else _LEAN
-    return point, MEAN_OF_NORMAL * look.levels.spread[name] * float(np.hypot(1.0, steep)) + MASK_ERROR
+    return point, MEAN_OF_NORMAL * look.levels.sigma[name] * float(np.hypot(1.0, steep)) + MASK_ERROR

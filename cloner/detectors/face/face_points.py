@@ -117,7 +117,7 @@ def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     found = side_face_of(proposal)
     if found is None:
         return _no_points(photo.view)
-    doubt = WRONG_ERROR * missing_edge_share(photo.rgb, model, found.laid)
+    doubt = WRONG_ERROR * missing_edge_share(photo.rgb, model, found.fitted)
     kept = [row for row, name in enumerate(found.names) if name in PROFILE]
     names = [found.names[row] for row in kept]
     told = dict(

@@ -78,7 +78,7 @@ class SideFace:
 
     facing: int
     outline_px: Array
-    laid: FittedProfile
+    fitted: FittedProfile
     names: tuple[str, ...]
     points_px: Array
     error_iod: Array
@@ -114,21 +114,21 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     hints = pose_hints(proposal)
 
     def rate(found: list[tuple[int, FittedProfile]]) -> list[tuple[tuple[float, float], int, FittedProfile]]:
-        return [(log_odds_against(proposal, model, hints, facing, laid), facing, laid) for facing, laid in found]
+        return [(log_odds_against(proposal, model, hints, facing, fitted), facing, fitted) for facing, fitted in found]
 
     rated = rate(align_near_hints(proposal.mask, full, model, hints))
     if not rated or min(doubt for doubt, *_ in rated)[0] > _DOUBTED:
         rated += rate(align_anywhere(proposal.mask, full, model))
     if not rated:
         return None
-    (odds, lost_iod), facing, laid = min(rated, key=lambda one: one[0])
-    points, spread_m = named_px(model, laid)
+    (odds, lost_iod), facing, fitted = min(rated, key=lambda one: one[0])
+    points, sigma_m = named_px(model, fitted)
     # a mean distance in the plane is 1.25 times the spread along one axis
-    error = 1.25 * spread_m / IOD_M + lost_iod / (1.0 + np.exp(-odds))
+    error = 1.25 * sigma_m / IOD_M + lost_iod / (1.0 + np.exp(-odds))
     side = "R" if facing > 0 else "L"
     paired = ("eye", "pupil", "ala", "mouth", "ear")
     names = tuple(f"{name}_{side}" if name.startswith(paired) else name for name in model.names)
-    return SideFace(facing, full, laid, names, points, error)
+    return SideFace(facing, full, fitted, names, points, error)
 
 
 def whole_outline(mask: NDArray[np.uint8]) -> Array | None:
@@ -143,15 +143,15 @@ def judge_hints(hints: PoseHints | None) -> tuple[int, Array] | None:
 
 
 def log_odds_against(
-    proposal: Proposal, model: ProfileModel, hints: PoseHints | None, facing: int, laid: FittedProfile
+    proposal: Proposal, model: ProfileModel, hints: PoseHints | None, facing: int, fitted: FittedProfile
 ) -> tuple[float, float]:
     """Return the log odds that a fitted profile is wrong, and its points' sigma in that case, eye distances.
 
     Without labels the outline alone tells.
     """
     if not proposal.labels.any():
-        return (laid.cost - WRONG) / _WRONG_TURN, WRONG_ERROR
-    seen = features(model, laid, facing, proposal.labels, judge_hints(hints))
+        return (fitted.cost - WRONG) / _WRONG_TURN, WRONG_ERROR
+    seen = features(model, fitted, facing, proposal.labels, judge_hints(hints))
     if seen[FACE_SHARE] < _HIDDEN_SHARE:
         return _HIDDEN_ODDS, WRONG_ERROR
     error_mm = load_judge().error_mm(seen)
@@ -159,7 +159,7 @@ def log_odds_against(
     return float(np.log(error_mm / _WRONG_MM)) / _WRONG_RATIO, lost_iod
 
 
-def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, laid: FittedProfile) -> float:
+def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, fitted: FittedProfile) -> float:
     """Return the share 0..1 of a fitted profile without an image edge: a mask may follow a shadow on the wall.
 
     Parameters
@@ -168,10 +168,10 @@ def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, laid: Fitted
     model : ProfileModel
     laid : Laid
     """
-    curve = laid.curve_px(model)
-    picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * laid.size, unit=_UNIT_PX)
+    curve = fitted.curve_px(model)
+    picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * fitted.size, unit=_UNIT_PX)
     small = curve @ small_from_photo[:, :2].T + small_from_photo[:, 2]
-    reach = _EDGE_REACH_M * laid.size * float(small_from_photo[0, 0])
+    reach = _EDGE_REACH_M * fitted.size * float(small_from_photo[0, 0])
     offsets, seen = sample_along_normals(picture, small, normals(small, closed=False), reach)
     slope = np.linalg.norm(np.gradient(seen, offsets[1] - offsets[0], axis=1), axis=2) / np.sqrt(seen.shape[2])
     share = float((slope[:, 2:-2].max(axis=1) > _EDGE_LEVELS).mean())
@@ -197,7 +197,7 @@ def align_near_hints(
     lean = float(np.arctan2(hints.facing * down[0], down[1])) - _LEAN
     step = max(1, int(_STEP_M * size))
     found = fit_from_all_starts(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
-    return [(hints.facing, laid) for laid in found]
+    return [(hints.facing, fitted) for fitted in found]
 
 
 def align_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel) -> list[tuple[int, FittedProfile]]:
@@ -213,5 +213,5 @@ def align_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel) ->
         size = 0.5 * (low + high) * height / _TOP_OVER_NOSE_M
         step = max(1, round(2.0 * _STEP_M * size))
         found = fit_from_all_starts(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
-        out += [(facing, laid) for laid in found]
+        out += [(facing, fitted) for fitted in found]
     return out

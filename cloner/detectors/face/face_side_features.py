@@ -30,9 +30,9 @@ EAR_PATCH: Final = _CALIBRATED.number("ear_patch", "iod")
 def side_pose(found: SideFace) -> FeaturePose:
     """Return the pose of the head of a fitted profile in its photo."""
     mirrored = found.facing > 0
-    linear = -IOD_M * found.laid.px_from_m[:, :2]
+    linear = -IOD_M * found.fitted.px_from_m[:, :2]
     across = -linear[0, 0] if mirrored else linear[0, 0]
-    return FeaturePose(IOD_M * found.laid.size, float(np.arctan2(linear[1, 0], across)), mirrored)
+    return FeaturePose(IOD_M * found.fitted.size, float(np.arctan2(linear[1, 0], across)), mirrored)
 
 
 def find_inner_feature(

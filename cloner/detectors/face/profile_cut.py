@@ -51,9 +51,9 @@ def without_wall_before_face(photo: Photo, proposal: Proposal) -> Proposal:
     """
     model = load_face_net().profile
     found = side_face_of(proposal)
-    if found is None or found.laid.cost > WRONG:  # it may lie anywhere
+    if found is None or found.fitted.cost > WRONG:  # it may lie anywhere
         return proposal
-    wall = wall_before_profile(photo.rgb, proposal.mask, model, found.laid)
+    wall = wall_before_profile(photo.rgb, proposal.mask, model, found.fitted)
     if not wall.any():
         return proposal
     return replace(
@@ -63,7 +63,7 @@ def without_wall_before_face(photo: Photo, proposal: Proposal) -> Proposal:
     )
 
 
-def wall_before_profile(rgb: Picture, mask: Picture, model: ProfileModel, laid: FittedProfile) -> Bools:
+def wall_before_profile(rgb: Picture, mask: Picture, model: ProfileModel, fitted: FittedProfile) -> Bools:
     """Return the pixels (H, W) of a person's mask that are wall before a fitted profile.
 
     Parameters
@@ -75,11 +75,11 @@ def wall_before_profile(rgb: Picture, mask: Picture, model: ProfileModel, laid: 
         The profile and how it lies on the mask.
     """
     person = mask > 127
-    doubted, face = _suspect_pixels(person, model, laid)
+    doubted, face = _suspect_pixels(person, model, fitted)
     wall = np.zeros(mask.shape, bool)
     if not doubted.any():
         return wall
-    border, reach = (max(1, round(length * laid.size)) for length in (_DOUBTED_M, _NEAR_M))
+    border, reach = (max(1, round(length * fitted.size)) for length in (_DOUBTED_M, _NEAR_M))
     deep = cv2.erode(face.astype(np.uint8), _square(border)) > 0
     lab = cv2.cvtColor(cv2.GaussianBlur(rgb, (0, 0), 1.5), cv2.COLOR_RGB2LAB).astype(np.float32)
     count, pieces, stats, _ = cv2.connectedComponentsWithStats(doubted.astype(np.uint8), connectivity=8)
@@ -112,26 +112,26 @@ def _square(reach: int) -> Picture:
     return np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
 
 
-def _suspect_pixels(person: Bools, model: ProfileModel, laid: FittedProfile) -> tuple[Bools, Bools]:
+def _suspect_pixels(person: Bools, model: ProfileModel, fitted: FittedProfile) -> tuple[Bools, Bools]:
     """Return the pixels (H, W) of the person in runs that stand far out before the profile, and those behind it."""
-    shape = model.shape(laid.weights)[: model.samples]
-    linear = laid.px_from_m[:, :2]
-    curve = laid.curve_px(model)
-    outwards = curve_normals(shape) @ linear.T / laid.size
+    shape = model.shape(fitted.weights)[: model.samples]
+    linear = fitted.px_from_m[:, :2]
+    curve = fitted.curve_px(model)
+    outwards = curve_normals(shape) @ linear.T / fitted.size
     steps = np.arange(0.0, _LOOKED_M, _STEP_M)
-    places = np.rint(curve[:, None] + laid.size * steps[None, :, None] * outwards[:, None]).astype(np.intp)
+    places = np.rint(curve[:, None] + fitted.size * steps[None, :, None] * outwards[:, None]).astype(np.intp)
     limit = np.array(person.shape[::-1]) - 1
     column, row = np.moveaxis(np.clip(places, 0, limit), 2, 0)
     ahead = _STEP_M * np.cumprod(person[row, column], axis=1).sum(axis=1)
     stretches = _hysteresis_runs(ahead > _ENDS_M, ahead > _DOUBTED_M)
     before = np.zeros(person.shape, np.uint8)
-    outer = curve + laid.size * np.minimum(ahead + _ENDS_M, _LOOKED_M)[:, None] * outwards
+    outer = curve + fitted.size * np.minimum(ahead + _ENDS_M, _LOOKED_M)[:, None] * outwards
     for one in np.flatnonzero(stretches[:-1] & stretches[1:]):
         quad = np.array([curve[one], curve[one + 1], outer[one + 1], outer[one]])
         cv2.fillConvexPoly(before, np.rint(quad).astype(np.int32), 1)
     behind_m = shape - np.array([0.08, 0.0])  # 8 cm: safely inside the head
     face = np.zeros(person.shape, np.uint8)
-    closed = np.vstack([curve, behind_m[::-1] @ linear.T + laid.px_from_m[:, 2]])
+    closed = np.vstack([curve, behind_m[::-1] @ linear.T + fitted.px_from_m[:, 2]])
     cv2.fillPoly(face, [np.rint(closed).astype(np.int32)], 1)
     return (before > 0) & person & (face == 0), face > 0
 

@@ -176,15 +176,15 @@ def fit_from_all_starts(
     return [fit_profile(outline_px, model, start, weights, size) for start, weights in starts]
 
 
-def named_px(model: ProfileModel, laid: FittedProfile) -> tuple[Array, Array]:
+def named_px(model: ProfileModel, fitted: FittedProfile) -> tuple[Array, Array]:
     """Return the named points (K, 2) px and their sigmas (K,), metres, along one axis."""
-    shape = model.shape(laid.weights)
-    points = shape[model.samples :] @ laid.px_from_m[:, :2].T + laid.px_from_m[:, 2]
+    shape = model.shape(fitted.weights)
+    points = shape[model.samples :] @ fitted.px_from_m[:, :2].T + fitted.px_from_m[:, 2]
     bent = model.modes[:, model.samples :].transpose(1, 2, 0)
     centred = shape[model.samples :] - model.mean[: model.samples].mean(axis=0)
     # upright frame: turning by a radian moves (forward, up) to (-up, forward); its sign does not matter for a spread
     fixed = np.stack([centred, np.column_stack([-centred[:, 1], centred[:, 0]])], axis=2)
     place = np.broadcast_to(np.eye(2), (len(centred), 2, 2))
     slope = np.concatenate([fixed, place, bent], axis=2)
-    spread = np.einsum("kai,ij,kaj->k", slope, laid.covariance, slope) / 2.0
-    return points, np.sqrt(np.maximum(spread, 0.0) + model.rest_m[model.samples :] ** 2)
+    sigma = np.einsum("kai,ij,kaj->k", slope, fitted.covariance, slope) / 2.0
+    return points, np.sqrt(np.maximum(sigma, 0.0) + model.rest_m[model.samples :] ** 2)

@@ -79,7 +79,7 @@ def load_judge() -> ProfileJudge:
 
 
 def features(
-    model: ProfileModel, laid: FittedProfile, facing: int, labels: NDArray[np.uint8], told: tuple[int, Array] | None
+    model: ProfileModel, fitted: FittedProfile, facing: int, labels: NDArray[np.uint8], told: tuple[int, Array] | None
 ) -> Array:
     """Return the features (D,) of a fitted profile.
 
@@ -94,28 +94,28 @@ def features(
         Which way the head looks by the pose net, and where it has nose, eye and mouth, px.
     """
     tip = model.mean[model.samples + model.names.index("nose_tip")]
-    linear, shift = laid.px_from_m[:, :2], laid.px_from_m[:, 2]
+    linear, shift = fitted.px_from_m[:, :2], fitted.px_from_m[:, 2]
     grid = np.stack(np.meshgrid(FORWARD_M, UP_M), axis=-1).reshape(-1, 2) + tip
     seen = _CLASS_OF[labels_at(labels, grid @ linear.T + shift)]
     shown = (seen[:, None] == np.arange(1, _CLASSES)).ravel()
-    face = face_share(model, laid, labels)
+    face = face_share(model, fitted, labels)
     tilt = np.arctan2(-linear[1, 0], facing * linear[0, 0])
-    fit = (laid.cost, np.sqrt(max(laid.cost, 0.0)), laid.weights @ laid.weights / 10.0, tilt, 4.0 * tilt**2)
-    return np.concatenate([shown, _pose_features(laid, facing, tip, told), [face, face**2], fit])
+    fit = (fitted.cost, np.sqrt(max(fitted.cost, 0.0)), fitted.weights @ fitted.weights / 10.0, tilt, 4.0 * tilt**2)
+    return np.concatenate([shown, _pose_features(fitted, facing, tip, told), [face, face**2], fit])
 
 
-def face_share(model: ProfileModel, laid: FittedProfile, labels: NDArray[np.uint8]) -> float:
+def face_share(model: ProfileModel, fitted: FittedProfile, labels: NDArray[np.uint8]) -> float:
     """Return the share of a fitted profile with face labels (H, W) on its inner side."""
-    inwards = -curve_normals(model.shape(laid.weights)[: model.samples]) @ laid.px_from_m[:, :2].T
-    return float(shows(labels_at(labels, laid.curve_px(model) + INSIDE_M * inwards), *FACE).mean())
+    inwards = -curve_normals(model.shape(fitted.weights)[: model.samples]) @ fitted.px_from_m[:, :2].T
+    return float(shows(labels_at(labels, fitted.curve_px(model) + INSIDE_M * inwards), *FACE).mean())
 
 
-def _pose_features(laid: FittedProfile, facing: int, tip: Array, told: tuple[int, Array] | None) -> Array:
+def _pose_features(fitted: FittedProfile, facing: int, tip: Array, told: tuple[int, Array] | None) -> Array:
     """Return the pose net's positions in a profile's frame; zeros without them."""
     if told is None:
         return np.zeros(21)
-    own_m = np.linalg.solve(laid.px_from_m[:, :2], (told[1] - laid.px_from_m[:, 2]).T).T
+    own_m = np.linalg.solve(fitted.px_from_m[:, :2], (told[1] - fitted.px_from_m[:, 2]).T).T
     away = np.clip((own_m - tip - _USUAL_M) / _FAR_M, -1.0, 1.0).ravel()
-    size = np.linalg.norm(told[1][1] - told[1][2]) / (_EYE_TO_MOUTH_M * laid.size)
+    size = np.linalg.norm(told[1][1] - told[1][2]) / (_EYE_TO_MOUTH_M * fitted.size)
     larger = float(np.clip(np.log(max(float(size), 1e-6)) / _FAR_SIZE, -1.0, 1.0))
     return np.concatenate([away, away**2, np.abs(away), [larger, larger**2, 1.0 if told[0] == facing else -1.0]])

@@ -18,7 +18,7 @@ from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
-from cloner.geometry.cameras.seeing import visibility
+from cloner.geometry.cameras.visibility import visibility
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView

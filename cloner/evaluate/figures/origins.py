@@ -71,17 +71,17 @@ def texel_origins(values: Mapping[str, Any]) -> Origins | None:
         paint_table(generic, source, share, dark, shared.kinds)
         for source, share in zip(shared.sources, shared.shares, strict=True)
     ]
-    scales = [max(source.plate.inside_px.shape) / _TOP_LEVEL for source in shared.sources]
+    scales = [max(source.matted.inside_px.shape) / _TOP_LEVEL for source in shared.sources]
     placed = [_placed(source, scale) for source, scale in zip(shared.sources, scales, strict=True)]
     return _owners(generic, placed, tables, scales, params)
 
 
 def _placed(source: Source, scale: float) -> Source:
     """Return a source whose photo shows, as red and green, where each of its pixels lies."""
-    height, width = source.plate.inside_px.shape
+    height, width = source.matted.inside_px.shape
     row, column = np.mgrid[:height, :width].astype(np.float32) / np.float32(scale)
     places: Any = np.stack([column, row, np.zeros_like(row)], axis=2)
-    return replace(source, plate=replace(source.plate, rgb=places, shares=None))
+    return replace(source, matted=replace(source.matted, rgb=places, shares=None))
 
 
 def _owners(

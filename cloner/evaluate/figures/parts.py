@@ -12,7 +12,7 @@ from cloner.evaluate.figures.origins import Origins
 from cloner.evaluate.truths.kit import KitTruth
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import depth_at, depth_picture, visibility
+from cloner.geometry.cameras.visibility import depth_at, depth_picture, visibility
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.records.views import Camera

@@ -15,7 +15,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import vertex_uv
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
-from cloner.geometry.cameras.seeing import visibility
+from cloner.geometry.cameras.visibility import visibility
 from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.arrays import Array

@@ -49,13 +49,13 @@ _NECK = ("vc7", "vc4", "skullbase")
 FREEDOMS: tuple[PoseFreedom, ...] = (
     *(
         f
-        for axis, spread in ((X, 9.0), (Y, 9.0), (Z, 20.0))
-        for f in _sided(f"shoulder_{'xyz'[axis]}", "shoulder", axis, spread)
+        for axis, sigma in ((X, 9.0), (Y, 9.0), (Z, 20.0))
+        for f in _sided(f"shoulder_{'xyz'[axis]}", "shoulder", axis, sigma)
     ),
     *_sided("clavicle_raise", "sternoclavicular", Z, 4.0),
     *(f for axis in (X, Y, Z) for f in _sided(f"elbow_{'xyz'[axis]}", "elbow", axis, 10.0)),
     *(f for axis in (X, Y, Z) for f in _sided(f"wrist_{'xyz'[axis]}", "wrist", axis, 12.0)),
-    *(f for axis, spread in ((X, 6.0), (Y, 4.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, spread)),
+    *(f for axis, sigma in ((X, 6.0), (Y, 4.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, sigma)),
     *_sided("knee_bend", "knee", X, 6.0),
     *_sided("ankle_bend", "ankle", X, 5.0),
     *_sided("ankle_turn", "ankle", Y, 6.0),

@@ -137,9 +137,9 @@ def hypotheses(evidence: OutlineMeasures, prior: MeasurePrior) -> Hypotheses:
         known, told = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
         known, guessed = _conditioned(*known, seen_rows, under, under_noise)
         for upper, lower, which in _garments(prior, evidence.bare):
-            ease, spread = _select_by_fit(which, prior.ease_mm), _select_by_fit(which, prior.ease_covariances)
+            ease, sigma = _select_by_fit(which, prior.ease_mm), _select_by_fit(which, prior.ease_covariances)
             wanted = shown - ease[rows]
-            body, seen = _conditioned(*known, rows, wanted, noise + spread[np.ix_(rows, rows)])
+            body, seen = _conditioned(*known, rows, wanted, noise + sigma[np.ix_(rows, rows)])
             logs[sex, upper, lower] = told + guessed + seen
             means[sex, upper, lower] = body[0]
             variances[sex, upper, lower] = np.diag(body[1])
@@ -164,9 +164,9 @@ def _rumple_likelihoods(rumple_mm: Array, prior: MeasurePrior, place: int) -> Ar
     """
     if np.isnan(rumple_mm[place]):
         return np.zeros(len(FITS))
-    means, spreads = prior.rumple_means[:, place], prior.rumple_spreads[:, place]
-    away = (max(np.log(max(rumple_mm[place], 1e-3)), means[0]) - means) / spreads
-    density = np.exp(-0.5 * away**2) / (np.sqrt(2.0 * np.pi) * spreads)
+    means, sigmas = prior.rumple_means[:, place], prior.rumple_spreads[:, place]
+    away = (max(np.log(max(rumple_mm[place], 1e-3)), means[0]) - means) / sigmas
+    density = np.exp(-0.5 * away**2) / (np.sqrt(2.0 * np.pi) * sigmas)
     likely = (1.0 - SMOOTH) * density + SMOOTH * density[0]
     return np.asarray(np.log((1.0 - ODD) * likely + ODD / ODD_RANGE))
 
@@ -193,12 +193,12 @@ def _mixture_medians(weights: Array, mm: Array, variances: Array) -> tuple[Array
 
     The median, not the mean: a small chance of loose clothes would draw the mean of a tightly dressed person far down.
     """
-    spread = np.sqrt(np.maximum(variances, 1e-6))
+    sigma = np.sqrt(np.maximum(variances, 1e-6))
 
     def below(at: Array) -> Array:
-        return np.asarray(weights @ ndtr((at - mm) / spread))
+        return np.asarray(weights @ ndtr((at - mm) / sigma))
 
-    low, high = (mm - 6.0 * spread).min(axis=0), (mm + 6.0 * spread).max(axis=0)
+    low, high = (mm - 6.0 * sigma).min(axis=0), (mm + 6.0 * sigma).max(axis=0)
     best = _bisect(below, low, high, 0.5)
     return best, _bisect(lambda half: below(best + half) - below(best - half), np.zeros_like(low), high - low, 0.9)
 

@@ -16,7 +16,7 @@ from scipy.sparse.linalg import splu
 
 from cloner.geometry.meshes.triangles import triangle_sides
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.rims import triangle_normals
+from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.arrays import Array
 
 #: How often observations are weighed anew (tried: two and four lay the same bodies within 2 mm).

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
-from cloner.geometry.cameras.seeing import depth_at, depth_picture
+from cloner.geometry.cameras.visibility import depth_at, depth_picture
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals

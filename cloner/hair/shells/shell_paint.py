@@ -12,7 +12,7 @@ from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.cameras.seeing import Visibility, visibility
+from cloner.geometry.cameras.visibility import Visibility, visibility
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -24,7 +24,7 @@ from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.evening import (
+from cloner.vision.retouching.normalising import (
     CLOTH_REFERENCES,
     REFERENCE_HOLD,
     apply_light,

@@ -19,7 +19,7 @@ from cloner.fit.evidence import Residuals
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.hair.volumes.pictures import clean_hair, hairline
 from cloner.paint.lookups.prepared import person_mask
 from cloner.records.arrays import Array

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from cloner.abreast import ABREAST, abreast
 from cloner.frames import m_from_mm, mm_from_m
-from cloner.geometry.cameras.seeing import depth_at
+from cloner.geometry.cameras.visibility import depth_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.tail import Tail

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import depth_picture
+from cloner.geometry.cameras.visibility import depth_picture
 from cloner.hair.volumes.headwear import headwear
 from cloner.paint.lookups.posed import posed_vertices
 from cloner.records.bodies import PosedView

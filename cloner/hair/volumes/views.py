@@ -11,7 +11,7 @@ from cloner.abreast import abreast
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.geometry.cameras.seeing import depth_at
+from cloner.geometry.cameras.visibility import depth_at
 from cloner.geometry.meshes.rasters import nearest_depth
 from cloner.hair.volumes.pictures import FAR_MM, body_depth_m, clean_hair, distances_px
 from cloner.paint.lookups.posed import parents_of

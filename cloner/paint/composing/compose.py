@@ -25,7 +25,7 @@ from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept
 from cloner.records.arrays import Array
 from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.evening import apply_light
+from cloner.vision.retouching.normalising import apply_light
 
 OWNERS = 0.01  # who has less of a texel than this is asked only where nobody has more
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
@@ -220,7 +220,7 @@ def _paint_rows(
     scalp, face, bare, own, *_ = kinds = atlas.interpolate(table[:, 7:], rows).T
     good = ~covered_by_hair(source, pixel, lookup, depth, scalp > 0.5, face > 0.5)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
-    skin = sample(source.plate.skin, lookup)[:, 0] / 255.0
+    skin = sample(source.matted.skin, lookup)[:, 0] / 255.0
     head = np.flatnonzero(own > 0.0)
     own[head] *= ~shows_garment(source, lookup[head])
     clash = np.abs(np.maximum(skin, own) - bare)

@@ -18,7 +18,7 @@ from cloner.records.arrays import Array
 from cloner.records.heads import Shell
 from cloner.records.labels import SURFACES
 from cloner.vision.photographs.blending import push_pull
-from cloner.vision.retouching.evening import apply_light, beyond_light, log_levels
+from cloner.vision.retouching.normalising import apply_light, beyond_light, log_levels
 
 #: Upper edge of a shell: so far below the highest place of its sector (of so many) it is the body's neighbour.
 RIM_M, SECTORS = 0.03, 24

@@ -29,7 +29,7 @@ from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.plates import EYE_OPENINGS
+from cloner.vision.retouching.matting import EYE_OPENINGS
 
 Part = tuple[Array, Array, NDArray[np.int64]]
 """Vertices (N, 3), uv (N, 2) and triangles (T, 3)."""

@@ -87,9 +87,9 @@ def hand_gains(points_m: Array, normals: Array) -> tuple[Array, Array]:
     away = np.stack([_bone_distance_m(points_m, finger.bones_m) for finger in fingers()])
     for number, finger in enumerate(fingers()):
         own = np.flatnonzero((away.argmin(axis=0) == number) & (away[number] < 2.0 * BREADTH_M))
-        plate, nail = _nail(finger, points_m[own], normals[own])
-        gains[own] += nail + _creases(finger, points_m[own], normals[own]) * (1.0 - plate[:, None])
-        nails[own] = np.maximum(nails[own], plate)
+        matted, nail = _nail(finger, points_m[own], normals[own])
+        gains[own] += nail + _creases(finger, points_m[own], normals[own]) * (1.0 - matted[:, None])
+        nails[own] = np.maximum(nails[own], matted)
     return gains, nails
 
 
@@ -150,11 +150,11 @@ def _nail(finger: Finger, points_m: Array, normals: Array) -> tuple[Array, Array
     aside = (points_m - last) @ np.cross(along, finger.back) / half
     round_ = (aside**4 + (2.0 * share / NAIL_END - 1.0) ** 4) ** 0.25
     behind = smoothstep(normals @ finger.back, 0.0, 0.4)
-    plate = behind * (1.0 - smoothstep(round_, 0.88, 1.04))
+    matted = behind * (1.0 - smoothstep(round_, 0.88, 1.04))
     fold = behind * np.exp(-(((round_ - 1.08) / 0.10) ** 2)) * (share < 0.85)
     moon = (1.0 - smoothstep(share + 0.12 * aside**2, 0.16, 0.30))[:, None] * LUNULA
     edge = smoothstep(share + 0.05 * aside**2, 0.82, 0.90)[:, None] * FREE_EDGE
-    return plate, plate[:, None] * (PLATE + moon + edge) + fold[:, None] * FOLD
+    return matted, matted[:, None] * (PLATE + moon + edge) + fold[:, None] * FOLD
 
 
 def _creases(finger: Finger, points_m: Array, normals: Array) -> Array:

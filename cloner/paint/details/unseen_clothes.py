@@ -19,7 +19,7 @@ from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS
-from cloner.vision.retouching.evening import log_levels
+from cloner.vision.retouching.normalising import log_levels
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
@@ -201,7 +201,7 @@ def _garment_colour(sources: list[Source], skin_rgb: NDArray[np.float32]) -> NDA
     ----------
     skin_rgb : (N, 3) levels
     """
-    worn = [s.plate.rgb[np.isin(s.plate.labels, GARMENTS)] for s in sources if not s.mirrored]
+    worn = [s.matted.rgb[np.isin(s.matted.labels, GARMENTS)] for s in sources if not s.mirrored]
     pixels = np.concatenate(worn).astype(np.float32)
     found = _dominant_colour(pixels) if len(pixels) >= LEAST_PIXELS else SHIRT
     return np.asarray(SHIRT if _is_skin_coloured(found, skin_rgb) else found, np.float32)

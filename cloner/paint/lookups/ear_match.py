@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
-from cloner.geometry.cameras.seeing import DEPTH_SCALE, Visibility
+from cloner.geometry.cameras.visibility import DEPTH_SCALE, Visibility
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample

@@ -22,7 +22,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms
-from cloner.geometry.cameras.seeing import DEPTH_SCALE
+from cloner.geometry.cameras.visibility import DEPTH_SCALE
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.paint.lookups.sources import Source
 from cloner.vision.retouching.line_match import LinePicture, MatchScales, SharedSamples, line_pictures, match_lines
@@ -72,9 +72,9 @@ def _reach(view: ViewId) -> MatchScales:
 
 def _lines_of(source: Source) -> dict[MatchScales, list[LinePicture]]:
     """Return a photo's line features at the scales of faces and of bodies."""
-    plate, pixel_m = source.plate, source.sight.metres_per_pixel * DEPTH_SCALE
+    matted, pixel_m = source.matted, source.sight.metres_per_pixel * DEPTH_SCALE
     wanted = (FACE, BODY) if source.view.is_face else (BODY,)
-    return {reach: line_pictures(plate.rgb, plate.labels, plate.inside_px > 0.0, pixel_m, reach) for reach in wanted}
+    return {reach: line_pictures(matted.rgb, matted.labels, matted.inside_px > 0.0, pixel_m, reach) for reach in wanted}
 
 
 def _aligned(

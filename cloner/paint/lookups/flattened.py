@@ -17,7 +17,7 @@ from cloner.generic.photo_shares import head_weight
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.sources import Source
 from cloner.records.arrays import Array
-from cloner.vision.retouching.evening import FLATTENED, HUE_LOG, LEAST_PAIRS, log_levels
+from cloner.vision.retouching.normalising import FLATTENED, HUE_LOG, LEAST_PAIRS, log_levels
 
 SEEN_COSINE: Final = (0.2, 0.5)  # from nothing to full trust in what a photo shows of a half
 STIFFNESS: Final = 2.0  # light follows no detail finer than some edges: moles and scars stay where they are

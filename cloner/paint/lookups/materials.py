@@ -14,7 +14,7 @@ from cloner.paint.lookups.zones import always_bare, hair_allowed
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS, SURFACE_OF, SURFACES, labels_at
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.evening import beyond_light, log_levels
+from cloner.vision.retouching.normalising import beyond_light, log_levels
 
 SQUARE = 0.5  # cosine from which a sight is believed by itself
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
@@ -123,20 +123,20 @@ def shows_garment(source: Source, lookup_px: NDArray[np.floating]) -> NDArray[np
 
     In a photo that is said to show no skin at all a face was taken for cloth.
     """
-    worn = np.isin(labels_at(source.plate.labels, lookup_px), GARMENTS)
-    return worn & bool(source.plate.bare.any())
+    worn = np.isin(labels_at(source.matted.labels, lookup_px), GARMENTS)
+    return worn & bool(source.matted.bare.any())
 
 
 def shown_bare_share(generic: GenericHuman, sources: list[Source]) -> Array:
     """Return in 0..1 (K, V) how much of the person's own skin or hair each photo shows at each vertex."""
-    shown = np.stack([sample(s.plate.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
+    shown = np.stack([sample(s.matted.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
     garment = np.stack([shows_garment(source, source.lookup_px) for source in sources])
     return np.where(always_bare(generic) & ~garment, 1.0, shown)
 
 
 def shown_surfaces(sources: list[Source]) -> NDArray[np.int8]:
     """Return the index in ``SURFACES`` (K, V) of what each photo shows at each vertex, -1 where that is nobody."""
-    return np.stack([SURFACE_OF[labels_at(source.plate.labels, source.lookup_px)] for source in sources])
+    return np.stack([SURFACE_OF[labels_at(source.matted.labels, source.lookup_px)] for source in sources])
 
 
 def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceGraph) -> Materials:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.cameras.seeing import Visibility, depth_picture, visibility
+from cloner.geometry.cameras.visibility import Visibility, depth_picture, visibility
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined

@@ -16,7 +16,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.bare_skin import label_colour
-from cloner.vision.retouching.plates import MattedPhoto, prepare_matted_photo
+from cloner.vision.retouching.matting import MattedPhoto, prepare_matted_photo
 from cloner.vision.retouching.skin_colour import SkinColour
 
 PERSON_LEVEL = 127  # a net's probability above one half

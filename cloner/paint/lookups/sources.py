@@ -15,7 +15,7 @@ from cloner.generic.lip_steps import SHARE, drop_from_borders
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import Visibility, depth_at
+from cloner.geometry.cameras.visibility import Visibility, depth_at
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import PosedPerson, pose_person
@@ -29,11 +29,11 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import outline_shift, sample, shift_points
-from cloner.vision.retouching.evening import exposure_confidence, restore_clipped_hue
+from cloner.vision.retouching.background_colours import colours_by_height
+from cloner.vision.retouching.matting import MattedPhoto
+from cloner.vision.retouching.normalising import exposure_confidence, restore_clipped_hue
 from cloner.vision.retouching.open_mouth import lip_colour_edges
-from cloner.vision.retouching.plates import MattedPhoto
 from cloner.vision.retouching.repair import remove_outside_body
-from cloner.vision.retouching.strangers import colours_by_height
 
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
@@ -69,7 +69,7 @@ class Source:
 
     view: ViewId
     mirrored: bool
-    plate: MattedPhoto
+    matted: MattedPhoto
     sight: Visibility
     lookup_px: Array
     hair_m: NDArray[np.float32]
@@ -94,18 +94,18 @@ def gather_sources(
     glasses = wears_glasses(proposals)
 
     def prepared(view: ViewId) -> tuple[Source, float] | None:
-        stood = pose_person(generic, joined, shells, joined.views[view])
+        posed_person = pose_person(generic, joined, shells, joined.views[view])
         mask = person_mask(view, proposals.views[view], silhouettes)
         if not view.is_face:  # a face photo's shoulders hang in no known pose
-            mask = remove_outside_body(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
+            mask = remove_outside_body(mask, posed_person.shown, BESIDE_M / posed_person.sight.metres_per_pixel)
             mask = own.without_room(photos.photos[view].rgb, mask)
         photo, proposal = photos.photos[view].rgb, proposals.views[view]
         if glasses:
             photo, proposal = without_glasses(photo, proposal)
-        plate = matted_photo(view, photo, proposal, mask, limits, skins.get(view))
-        if not (plate.inside_px > 0.0).any():
+        matted = matted_photo(view, photo, proposal, mask, limits, skins.get(view))
+        if not (matted.inside_px > 0.0).any():
             return None
-        return make_source(generic, stood, view, plate, limits, taken)
+        return make_source(generic, posed_person, view, matted, limits, taken)
 
     views = [view for view in joined.views if view in photos.photos and view in proposals.views]
     bodies = [view for view in views if not view.is_face]
@@ -125,55 +125,60 @@ def gather_sources(
 
 def make_source(
     generic: GenericHuman,
-    stood: PosedPerson,
+    posed_person: PosedPerson,
     view: ViewId,
-    plate: MattedPhoto,
+    matted: MattedPhoto,
     limits: Limits,
     taken: frozenset[ViewId],
 ) -> tuple[Source, float]:
     """Return one photo as a source, and the mean distance between outlines before the shift, px."""
-    sight = stood.sight
+    sight = posed_person.sight
     fitted = generic.region("face") & (sight.cosine > FITTED_COSINE)
-    lookup, gap = align(sight, plate, limits, sight.pixel_px[fitted] if view.is_face else None)
-    lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
-    if plate.lips_px is not None:
+    lookup, gap = align(sight, matted, limits, sight.pixel_px[fitted] if view.is_face else None)
+    lookup = shift_ear(generic, posed_person.posed_m, body_triangles(), sight, matted.hair, view, lookup)
+    if matted.lips_px is not None:
         grid = mouth_grid()
         lookup[grid.rings, 1] += SHARE[:, None] * drop_from_borders(
-            grid, lookup[grid.rings], lip_colour_edges(plate.lips_px)
+            grid, lookup[grid.rings], lip_colour_edges(matted.lips_px)
         )
-    rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
-    hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
-    growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
-    hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
+    rim = (
+        2 * int(np.ceil(HAIR_RIM_SHARE * matted.figure_px * posed_person.hair_m.shape[0] / matted.inside_px.shape[0]))
+        + 1
+    )
+    hair_m = cv2.erode(posed_person.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
+    growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * matted.figure_px)) + 1
+    hair = cv2.dilate(matted.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
     if np.isfinite(hair_m).any():
-        hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * plate.figure_px)] = 0
-    source = Source(view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
+        hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * matted.figure_px)] = 0
+    source = Source(view, False, matted, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
     seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
     if view is ViewId.BODY_SIDE:
-        seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
-        seen &= in_arm_zone(generic, plate, lookup)
+        seen &= ~(arms_beside_head(generic) & near_bare_head(generic, matted, lookup))
+        seen &= in_arm_zone(generic, matted, lookup)
     share = photo_shares(generic, view, photos=taken)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
     # Where a photo is burnt out another one shows more, if it faces the surface better.
     square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
-    share = share * np.maximum(np.maximum(exposure_confidence(sample(plate.blurred, lookup)), square), BURNT_CLAIM)
+    share = share * np.maximum(np.maximum(exposure_confidence(sample(matted.blurred, lookup)), square), BURNT_CLAIM)
     return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
-def align(sight: Visibility, plate: MattedPhoto, limits: Limits, placed_px: Array | None = None) -> tuple[Array, float]:
+def align(
+    sight: Visibility, matted: MattedPhoto, limits: Limits, placed_px: Array | None = None
+) -> tuple[Array, float]:
     """Return lookups (V, 2) after the mesh's outline was moved to the photo's, and the distance, px.
 
     ``placed_px`` (N, 2) is where the mesh lies on the photo already: shoulders in no known pose, as a face photo shows
     them, do not move it.
     """
-    height, width = plate.inside_px.shape
+    height, width = matted.inside_px.shape
     small = np.isfinite(sight.nearest_m).astype(np.float32)
     mesh_mask = cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR) > 0.5
-    limit = limits.shift_share * plate.figure_px
+    limit = limits.shift_share * matted.figure_px
     growth = 2 * int(np.ceil(limit)) + 1
-    usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
-    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit, placed_px)
+    usable = cv2.dilate(matted.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
+    field, gap = outline_shift(mesh_mask, matted.inside_px, usable, limit, placed_px)
     return shift_points(sight.pixel_px, field), gap
 
 
@@ -188,12 +193,12 @@ def shown_colours(
 
     ``skin`` (N,) in 0..1 is what the plate's ``skin`` shows there, where that is known already.
     """
-    plate = source.plate
-    colour = sample(plate.blurred if blurred else plate.rgb, lookup_px)
-    if plate.shares is None:
+    matted = source.matted
+    colour = sample(matted.blurred if blurred else matted.rgb, lookup_px)
+    if matted.shares is None:
         return colour
-    shown = sample(plate.skin, lookup_px)[:, 0] / 255.0 if skin is None else skin
-    return np.asarray(restore_clipped_hue(colour, plate.shares, shown), np.float32)
+    shown = sample(matted.skin, lookup_px)[:, 0] / 255.0 if skin is None else skin
+    return np.asarray(restore_clipped_hue(colour, matted.shares, shown), np.float32)
 
 
 def mirror_source(generic: GenericHuman, source: Source) -> Source:
@@ -229,8 +234,8 @@ def visible_points(
 ) -> NDArray[np.bool_]:
     """Return which surface points (N,) the photo shows, hair left aside."""
     seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
-    near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
-    opening = sample(source.plate.openings.view(np.uint8), lookup_px)[:, 0] > 0.5
+    near = sample(source.matted.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.matted.figure_px
+    opening = sample(source.matted.openings.view(np.uint8), lookup_px)[:, 0] > 0.5
     return seen & near & ~opening
 
 
@@ -255,6 +260,6 @@ def covered_by_hair(
     shell = depth_at(source.hair_m, pixel_px)
     below = depth_m > shell + HAIR_CLEARANCE_M
     # A scalp shows hair or bare skin: where the photo shows neither, the lookup left the head.
-    bare = sample(source.plate.bare.view(np.uint8), lookup_px)[:, 0] > 0.5
+    bare = sample(source.matted.bare.view(np.uint8), lookup_px)[:, 0] > 0.5
     stray = allowed & ~labelled & ~bare & bool(source.hair.any())
     return ((below | (labelled & ~kept)) & ~allowed) | stray

@@ -14,7 +14,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head, lower_arms
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.plates import MattedPhoto
+from cloner.vision.retouching.matting import MattedPhoto
 
 STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
 #: How far from the scalp hairlines of people lie on the face: foreheads are 6 cm high.
@@ -55,19 +55,19 @@ def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: fl
     return np.asarray(cv2.resize(near, (width, height), interpolation=cv2.INTER_NEAREST) > 0, bool)
 
 
-def near_bare_head(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
+def near_bare_head(generic: GenericHuman, matted: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
     """Return which lookups (V,) land on or beside the bare skin of head and neck; arms have skin of their own."""
-    reach = 2 * int(np.ceil(STRAY_SHARE * plate.figure_px)) + 1
-    head = plate.bare.astype(np.uint8)
+    reach = 2 * int(np.ceil(STRAY_SHARE * matted.figure_px)) + 1
+    head = matted.bare.astype(np.uint8)
     head[max(int(np.ceil(lookup_px[generic.region("neck"), 1].max())), 0) :] = 0
     grown = cv2.dilate(head, np.ones((reach, reach), np.uint8))
     return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
 
 
-def in_arm_zone(generic: GenericHuman, plate: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
+def in_arm_zone(generic: GenericHuman, matted: MattedPhoto, lookup_px: Array) -> NDArray[np.bool_]:
     """Return False (V,) where an arm is seen but the mesh has the trunk, or the other way round."""
-    if not plate.arms.any():
+    if not matted.arms.any():
         return np.ones(len(lookup_px), bool)
-    shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    shown = sample(matted.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5
     upper = arms_beside_head(generic)
     return np.where(lower_arms(generic), shown, ~shown | upper)

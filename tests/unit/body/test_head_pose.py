@@ -14,7 +14,7 @@ from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import rotation_matrices
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.head.modes import load_head_modes
 from cloner.head.skin_matches import SkinMatches
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView

@@ -154,13 +154,13 @@ def test_curled_fingers_are_found(body):
     assert bent["r"] < 10.0
 
 
-def seen(body, pose, view, names, off_px=0.0, spread_px=5.0):
+def seen(body, pose, view, names, off_px=0.0, sigma_px=5.0):
     """Return joints of a body in a pose where a photo shows them, moved to the right by some pixels."""
     generic = load_generic()
     rows = np.array([generic.joint(name) for name in names])
     transforms = joint_transforms(body.joints_m, generic.joint_parents, pose)
     places = studio.camera(studio.AZIMUTH_DEG[view]).project(posed_joints(transforms, body.joints_m)[rows])
-    return ObservedJoints(rows, places + [off_px, 0.0], np.full(len(rows), spread_px))
+    return ObservedJoints(rows, places + [off_px, 0.0], np.full(len(rows), sigma_px))
 
 
 def test_joints_tell_how_their_pixels_move_with_angles_and_camera(body):

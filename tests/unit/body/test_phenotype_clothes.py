@@ -23,7 +23,7 @@ TROUSERS = next(k for k, ease in enumerate(EASES) if "left_thigh" in ease.segmen
 def worn(**eases_m):
     """Return a phenotype whose clothes stand off by given metres, by name of a segment, and nowhere else."""
     spreads = [
-        (next((v for k, v in eases_m.items() if k in e.segments and not e.hangs), 0.0) - e.mean_m) / e.spread_m
+        (next((v for k, v in eases_m.items() if k in e.segments and not e.hangs), 0.0) - e.mean_m) / e.sigma_m
         for e in EASES
     ]
     return Phenotype(np.zeros(1), STATURE_M, 0.0, {}, {}, np.array(spreads))
@@ -104,7 +104,7 @@ def test_wide_trousers_do_not_part_the_legs():
     generic, person = load_generic(), people.known_person(21, stature_m=STATURE_M, spread=0.5)
     dressed = replace(person, vertices_m=in_trousers(person.vertices_m, person.joints_m, 0.02))
     found = phenotype.run(**photographed(dressed)).values["phenotype"]
-    told_m = EASES[TROUSERS].mean_m + EASES[TROUSERS].spread_m * found.ease[TROUSERS]
+    told_m = EASES[TROUSERS].mean_m + EASES[TROUSERS].sigma_m * found.ease[TROUSERS]
     assert told_m > 0.012, f"{told_m:.3f} m of cloth were found where 0.020 hang"
     _, joints = clothed_body(found)
     turned = joint_transforms(joints, generic.joint_parents, found.views[ViewId.BODY_SIDE].rotations)

@@ -19,7 +19,7 @@ def test_what_is_seen_moves_and_narrows_what_is_not():
     after = infer_levels(MODEL, dict(zip(MODEL.names[:4], 1.05 * SCALE[:4], strict=True)))
     assert before.level["thigh"] == pytest.approx(0.42)
     assert after.level["thigh"] == pytest.approx(1.05 * 0.42, abs=0.006)
-    assert after.spread["thigh"] < 0.5 * before.spread["thigh"]
+    assert after.sigma["thigh"] < 0.5 * before.sigma["thigh"]
     assert after.refused == ()
 
 

@@ -32,8 +32,8 @@ def scene(before):
     strip &= 1 - face
     rgb[strip > 0] = before
     rgb = np.clip(rgb + np.random.default_rng(0).normal(0.0, 2.0, rgb.shape), 0, 255).astype(np.uint8)
-    laid = FittedProfile(px_from_m, np.zeros(len(model.modes)), 0.1, np.eye(4 + len(model.modes)))
-    return 255 * (face | strip), strip > 0, wall_before_profile(rgb, 255 * (face | strip), model, laid)
+    fitted = FittedProfile(px_from_m, np.zeros(len(model.modes)), 0.1, np.eye(4 + len(model.modes)))
+    return 255 * (face | strip), strip > 0, wall_before_profile(rgb, 255 * (face | strip), model, fitted)
 
 
 def test_wall_is_cut_and_hair_stays():

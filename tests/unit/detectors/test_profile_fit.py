@@ -82,7 +82,7 @@ def test_profiles_are_found_either_way_round(seed, facing, tilt):
     assert np.mean(below) < 0.03, errors
     assert max(below) < 0.08, errors
     assert max(errors.values()) < 0.16, errors
-    assert found.laid.cost < 0.2
+    assert found.fitted.cost < 0.2
     side = "R" if facing > 0 else "L"
     assert f"ear_top_{side}" in found.names
 
@@ -161,9 +161,9 @@ def test_a_profile_without_an_edge_in_the_photo_is_doubted():
     sitter = Sitter(10)
     found = find_side_face(sitter.proposal(), sitter.model)
     shown = np.where(sitter.mask[..., None] > 127, 170, 90).astype(np.uint8).repeat(3, axis=2)
-    assert missing_edge_share(shown, sitter.model, found.laid) == 0.0
+    assert missing_edge_share(shown, sitter.model, found.fitted) == 0.0
     blurred = cv2.GaussianBlur(shown, (0, 0), 25.0)  # what a mask that follows a soft shadow sees
-    assert missing_edge_share(blurred, sitter.model, found.laid) > 0.9
+    assert missing_edge_share(blurred, sitter.model, found.fitted) > 0.9
 
 
 def test_without_hints_the_profile_is_sought_everywhere():
@@ -196,10 +196,10 @@ def test_labels_tell_a_face_from_what_has_its_outline():
     labels = np.where(rows < sitter.at("glabella")[1], Label.HAIR, Label.FACE_SKIN)
     labels = np.where(rows > sitter.at("chin_bottom")[1], Label.BODY_SKIN, labels)
     labels = np.where(sitter.mask > 127, labels, Label.BACKGROUND).astype(np.uint8)
-    higher = found.laid.px_from_m - np.array([[0, 0, 0], [0, 0, 0.02 * found.laid.size]])
+    higher = found.fitted.px_from_m - np.array([[0, 0, 0], [0, 0, 0.02 * found.fitted.size]])
     right, wrong = (
-        load_judge().error_mm(features(sitter.model, replace(found.laid, px_from_m=one), found.facing, labels, None))
-        for one in (found.laid.px_from_m, higher)
+        load_judge().error_mm(features(sitter.model, replace(found.fitted, px_from_m=one), found.facing, labels, None))
+        for one in (found.fitted.px_from_m, higher)
     )
     assert wrong > 1.5 * right
-    assert face_share(sitter.model, found.laid, labels) > 0.6
+    assert face_share(sitter.model, found.fitted, labels) > 0.6

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.detectors.taught import errors_in_view
+from cloner.detectors.propagation import errors_in_view
 from cloner.editing.order import by_expected_gain
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, confidence_of, face_confidence

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.geometry.outlines.rims import triangle_normals, vertex_normals
 from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, without_folds
+from cloner.geometry.outlines.silhouette import triangle_normals, vertex_normals
 
 
 @pytest.fixture(scope="module")

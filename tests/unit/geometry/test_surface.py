@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.geometry.meshes.surface import overlaps_triangles
-from cloner.geometry.outlines.rim_search import is_covered
+from cloner.geometry.outlines.contour_search import is_covered
 
 TRIANGLE = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]])
 

@@ -10,7 +10,7 @@ from cloner.body.head_pose_evidence import NECK, SKULL
 from cloner.body.outlined import OutlinedPhoto, mask_outline_field
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.hair.volumes import agreement as hair_agreement
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.labels import Label

@@ -12,7 +12,7 @@ from cloner.fit.shapes import ShapeFit, fit_shape
 from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.outlines.contour_match import occluding_points
-from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.head.model import make_head_model
 from cloner.head.outline import Outline
 from cloner.head.silhouette import HAIR_M, head_skin, silhouette_evidence

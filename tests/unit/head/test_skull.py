@@ -7,7 +7,7 @@ import pytest
 
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.cameras.viewpoints import facing_camera
-from cloner.geometry.outlines.rims import fill_triangles
+from cloner.geometry.outlines.silhouette import fill_triangles
 from cloner.head.model import make_head_model
 from cloner.head.silhouette import head_skin
 from cloner.head.skull import HAIR_M, fit_skull, skull_modes

@@ -9,7 +9,7 @@ import pytest
 
 from cloner.detectors.nets.litert import detect_face, detect_pose, label_features
 from cloner.frames import ViewId
-from cloner.labels.looks import label_evidence
+from cloner.labels.evidence import label_evidence
 from cloner.labels.photo import label_photo
 from cloner.records.labels import CLOTHES, Label, shows
 from cloner.vision.segmentation.masks import refine_mask

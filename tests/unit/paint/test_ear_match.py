@@ -7,7 +7,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import visibility
+from cloner.geometry.cameras.visibility import visibility
 from cloner.paint.lookups.ear_match import shift_ear
 from kit import people, studio
 

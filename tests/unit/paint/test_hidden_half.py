@@ -8,7 +8,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import mirrored_share
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.seeing import visibility
+from cloner.geometry.cameras.visibility import visibility
 from cloner.paint.lookups.sources import Source, mirror_hidden
 from cloner.records.views import Camera
 

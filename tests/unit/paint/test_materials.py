@@ -23,7 +23,7 @@ def seen(shown):
         mirrored=False,
         score=np.ones(count),
         sight=SimpleNamespace(cosine=np.ones(count)),
-        plate=SimpleNamespace(labels=picture),
+        matted=SimpleNamespace(labels=picture),
         lookup_px=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
     )
 

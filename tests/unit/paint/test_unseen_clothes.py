@@ -37,7 +37,7 @@ def portrait(generic, vertices, collar_m):
         mirrored=False,
         score=seen.astype(float),
         sight=SimpleNamespace(cosine=np.where(seen, 1.0, -1.0)),
-        plate=SimpleNamespace(skin=picture, labels=labels, bare=picture > 0),
+        matted=SimpleNamespace(skin=picture, labels=labels, bare=picture > 0),
         lookup_px=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
     )
 
@@ -134,8 +134,8 @@ def clothed(person, collar, cloth_rgb, labels=None, rgb=(40, 90, 160)):
     kinds = dress_unseen(generic, [source], find_materials(generic, [source], graph), vertices, graph)
     base = np.full((3, len(vertices), 3), (180.0, 130.0, 110.0), np.float32)
     base[2] = cloth_rgb
-    source.plate.rgb = np.tile(np.array(rgb, np.uint8), (1, 3000, 1))
-    source.plate.labels = np.full((1, 3000), Label.FACE_SKIN if labels is None else labels, np.uint8)
+    source.matted.rgb = np.tile(np.array(rgb, np.uint8), (1, 3000, 1))
+    source.matted.labels = np.full((1, 3000), Label.FACE_SKIN if labels is None else labels, np.uint8)
     return extend_clothes(generic, [source], base, kinds, vertices, graph), source.score > 0.0
 
 

@@ -8,7 +8,7 @@ import pytest
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head
 from cloner.paint.lookups.zones import hair_kept, near_bare_head
-from cloner.vision.retouching.plates import MattedPhoto
+from cloner.vision.retouching.matting import MattedPhoto
 
 SIZE = 1000
 PX_PER_M = 500.0

@@ -12,8 +12,8 @@ from cloner.detectors.nets.placing import is_upright
 from cloner.detectors.nets.results import Box, PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.labels.looks import LabelEvidence
-from cloner.labels.looks import label_evidence as whole_look
+from cloner.labels.evidence import LabelEvidence
+from cloner.labels.evidence import label_evidence as whole_look
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Corrections, Proposals, ViewPoints

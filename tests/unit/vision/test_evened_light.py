@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from cloner.vision.retouching.evening import (
+from cloner.vision.retouching.matting import skin_shares
+from cloner.vision.retouching.normalising import (
     apply_light,
     beyond_light,
     even_light,
@@ -12,7 +13,6 @@ from cloner.vision.retouching.evening import (
     one_sided_light,
     restore_clipped_hue,
 )
-from cloner.vision.retouching.plates import skin_shares
 from cloner.vision.retouching.skin_colour import SkinColour
 
 SKIN = np.array([190, 140, 115])

@@ -9,8 +9,8 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.lip_steps import SHARE, drop_from_borders
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label
+from cloner.vision.retouching.matting import prepare_matted_photo
 from cloner.vision.retouching.open_mouth import INNER_LIPS, lip_colour_edges, open_lip_borders
-from cloner.vision.retouching.plates import prepare_matted_photo
 
 
 def mouth(apart_px: float) -> np.ndarray:

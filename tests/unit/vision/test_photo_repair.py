@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.vision.retouching.aligning import outline_shift, shift_points
-from cloner.vision.retouching.evening import LEVEL_OFFSET, apply_light, common_balance, even_light, light_basis
+from cloner.vision.retouching.normalising import LEVEL_OFFSET, apply_light, common_balance, even_light, light_basis
 from cloner.vision.retouching.repair import remove_background_coloured, repair_bleeding, signed_distance
 
 

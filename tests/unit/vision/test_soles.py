@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.vision.retouching.plates import prepare_matted_photo
+from cloner.vision.retouching.matting import prepare_matted_photo
 from cloner.vision.retouching.soles import contact_shadow, shaded_floor
 
 HIGH, WIDE = 1000, 400
@@ -53,8 +53,8 @@ def test_a_plate_shows_the_shoe_where_its_mask_had_the_shadow() -> None:
     rgb, person = standing(60, thick=6)
     mask = person.copy()
     mask[880:886] = person[879]
-    plate = prepare_matted_photo(rgb, mask, np.zeros(mask.shape, np.uint8), None, None, None)
-    below = plate.rgb[880:892, 90:140].mean()
+    matted = prepare_matted_photo(rgb, mask, np.zeros(mask.shape, np.uint8), None, None, None)
+    below = matted.rgb[880:892, 90:140].mean()
     assert 42 < below < 70, below  # the shoe has 60, its shadow 12
 
 

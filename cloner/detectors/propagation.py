@@ -22,7 +22,7 @@ from cloner.records.arrays import Array
 from cloner.records.points import ViewPoints, expected_face_error, face_confidence
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
-_CALIBRATED: Final = calibrated("detectors.taught")
+_CALIBRATED: Final = calibrated("detectors.propagation")
 
 Rows = NDArray[np.int64]
 

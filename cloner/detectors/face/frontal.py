@@ -18,7 +18,7 @@ from cloner.records.labels import FACE, shows
 from cloner.records.photos import Photo
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
-_CALIBRATED: Final = calibrated("detectors.found")
+_CALIBRATED: Final = calibrated("detectors.frontal")
 
 LEAST_PRESENCE: Final = _CALIBRATED.number("least_presence", "score")
 LEAST_FACE: Final = _CALIBRATED.number("least_face", "share")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from cloner.vision.retouching.background_colours import colours_by_height
 from cloner.vision.retouching.repair import remove_outside_body
-from cloner.vision.retouching.strangers import colours_by_height
 
 WALL, CLOTH, SHIRT = (20, 130, 130), (70, 90, 80), (150, 140, 160)
 

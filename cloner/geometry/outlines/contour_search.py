@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cloner.geometry.articulation.skin_bends import EdgePoint, SkinMetric
 from cloner.geometry.meshes.surface import overlaps_triangles
 from cloner.geometry.meshes.vectors import unit
-from cloner.geometry.outlines.rims import triangle_normals
+from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]

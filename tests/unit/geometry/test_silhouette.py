@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.geometry.outlines.rims import fill_triangles, silhouette_vertices, vertex_normals
+from cloner.geometry.outlines.silhouette import fill_triangles, silhouette_vertices, vertex_normals
 from cloner.records.views import Camera
 
 RADIUS, DISTANCE, FOCAL = 1.0, 3.0, 300.0

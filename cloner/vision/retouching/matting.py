@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.records.labels import OWN, SKINS, Label, shows
 from cloner.vision.photographs.arms import BELOW_SHOULDER, arm_zone
-from cloner.vision.retouching.evening import SATURATED
+from cloner.vision.retouching.normalising import SATURATED
 from cloner.vision.retouching.open_mouth import open_lip_borders
 from cloner.vision.retouching.repair import repair_bleeding
 from cloner.vision.retouching.skin_colour import LEAST_SAMPLES, SkinColour

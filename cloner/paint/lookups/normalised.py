@@ -14,7 +14,7 @@ from cloner.paint.lookups.materials import Materials, is_skin_colour, shown_bare
 from cloner.paint.lookups.sources import Source, shown_colours
 from cloner.records.arrays import Array
 from cloner.records.results import Residual
-from cloner.vision.retouching.evening import (
+from cloner.vision.retouching.normalising import (
     CLOTH_REFERENCES,
     FLATTENED_CLOTH,
     REFERENCE_HOLD,

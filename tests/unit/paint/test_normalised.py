@@ -3,7 +3,7 @@
 import numpy as np
 
 from cloner.geometry.meshes.graphs import surface_graph
-from cloner.paint.lookups.evened import border_gains, normalised_colours
+from cloner.paint.lookups.normalised import border_gains, normalised_colours
 
 
 def _strip(count):

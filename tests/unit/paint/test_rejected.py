@@ -11,9 +11,9 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
-from cloner.paint.lookups.doubted import reject_grazing, reject_slanted, reject_wrong_parts
-from cloner.paint.lookups.evened import fill_surface
 from cloner.paint.lookups.materials import Materials, continues, with_surroundings
+from cloner.paint.lookups.normalised import fill_surface
+from cloner.paint.lookups.rejected import reject_grazing, reject_slanted, reject_wrong_parts
 from cloner.records.labels import SKINS, SURFACES, Label
 
 GENERIC = load_generic()
@@ -38,7 +38,7 @@ class Photo:
         return SimpleNamespace(cosine=self.cosine)
 
     @property
-    def plate(self):
+    def matted(self):
         return SimpleNamespace(
             brows=self.brows,
             skin=np.full((1, COUNT), self.skin, np.uint8),

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from cloner.geometry.cameras.tripods import STAND_NAMES, camera_from_stand, project_from_stand, stand_from_camera
+from cloner.geometry.cameras.stands import STAND_NAMES, camera_from_stand, project_from_stand, stand_from_camera
 from cloner.records.views import Camera
 from cloner.stages.views import level_rotation, pitch_rotation
 from kit import studio

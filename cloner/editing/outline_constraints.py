@@ -15,19 +15,19 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_metric, outline_skin
-from cloner.editing.wishes import PointConstraint
+from cloner.editing.targets import PointConstraint
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skin_bends import EdgePoint
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
-from cloner.geometry.outlines.rim_search import ContourPoint, nearest_contour_point, occluding_contour
+from cloner.geometry.outlines.contour_search import ContourPoint, nearest_contour_point, occluding_contour
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ANCHOR
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
-_CALIBRATED: Final = calibrated("editing.claims")
+_CALIBRATED: Final = calibrated("editing.outline_constraints")
 
 Bools = NDArray[np.bool_]
 
@@ -82,7 +82,7 @@ class OutlineConstraint:
     (N, 2).
     """
 
-    wish: PointConstraint
+    target: PointConstraint
     place: EdgePoint
     outward: Array
     inward: bool
@@ -105,41 +105,43 @@ def posed_photo(vertices_m: Array, joints_m: Array, posed: PosedView) -> PosedPh
     return PosedPhoto(camera, eye, blended, posed_m, camera.project(posed_m), mm_per_px)
 
 
-def candidate_skin(wish: PointConstraint, params: Params) -> Bools:
+def candidate_skin(target: PointConstraint, params: Params) -> Bools:
     """Return the skin (V,) that may make the outline at a corrected point."""
-    if wish.name.startswith(ANCHOR):  # it has no place on the generic skin: all that may move
+    if target.name.startswith(ANCHOR):  # it has no place on the generic skin: all that may move
         return np.asarray(free_skin() > LEAST_FREE)
-    return outline_skin(wish.name, m_from_mm(params.territory_mm), wish.view is ViewId.BODY_SIDE)
+    return outline_skin(target.name, m_from_mm(params.territory_mm), target.view is ViewId.BODY_SIDE)
 
 
 def nearest_contour_points(
-    wishes: list[PointConstraint], scenes: Mapping[ViewId, PosedPhoto], params: Params
+    targets: list[PointConstraint], scenes: Mapping[ViewId, PosedPhoto], params: Params
 ) -> list[ContourPoint | None]:
     """Return for every corrected point the nearest point of the unbent body's outline."""
     metric = generic_metric()
     found: dict[int, ContourPoint | None] = {}
     for view, seen in scenes.items():
         rim = occluding_contour(metric, seen.posed_m, seen.pixels, seen.eye_m)
-        for k, wish in enumerate(wishes):
-            if wish.view is view:
-                skin, penalty = candidate_skin(wish, params), params.inner_mm / seen.mm_per_px
-                found[k] = nearest_contour_point(rim, metric, wish.target_px, skin, penalty)
-    return [found[k] for k in range(len(wishes))]
+        for k, target in enumerate(targets):
+            if target.view is view:
+                skin, penalty = candidate_skin(target, params), params.inner_mm / seen.mm_per_px
+                found[k] = nearest_contour_point(rim, metric, target.target_px, skin, penalty)
+    return [found[k] for k in range(len(targets))]
 
 
-def make_constraint(wish: PointConstraint, found: ContourPoint, seen: PosedPhoto, params: Params) -> OutlineConstraint:
+def make_constraint(
+    target: PointConstraint, found: ContourPoint, seen: PosedPhoto, params: Params
+) -> OutlineConstraint:
     """Return a corrected point with the outline's side and normal there, and the skin that may make the outline."""
-    away = wish.target_px - found.pixel
+    away = target.target_px - found.pixel
     gap_px = float(np.linalg.norm(away))
     inward = float(away @ found.outward) < 0.0
     outward = found.outward
     if gap_px > 2.0:  # the way to the nearest point is square to the outline; an edge's own normal is coarser
         outward = (-away if inward else away) / gap_px
-    metric, skin = generic_metric(), candidate_skin(wish, params)
-    if wish.name.startswith(ANCHOR):
+    metric, skin = generic_metric(), candidate_skin(target, params)
+    if target.name.startswith(ANCHOR):
         skin = skin & (distance_from(found.place) < m_from_mm(params.territory_mm))
     edges = metric.edges[skin[metric.edges].all(axis=1)]
     # What lies farther out already is another part, beyond a gap: the other thigh, seen from the crotch.
     beyond = ((seen.pixels[edges] - found.pixel) @ outward).max(axis=1)
     edges = edges[beyond < params.gap_mm / seen.mm_per_px]
-    return OutlineConstraint(wish, found.place, outward, inward, gap_px, gap_px * seen.mm_per_px, edges)
+    return OutlineConstraint(target, found.place, outward, inward, gap_px, gap_px * seen.mm_per_px, edges)

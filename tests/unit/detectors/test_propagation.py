@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.detectors.face.face_net import load_face_net
-from cloner.detectors.taught import errors_in_view, propagate_corrections, propagate_to_net
+from cloner.detectors.propagation import errors_in_view, propagate_corrections, propagate_to_net
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, expected_face_error, face_confidence
 

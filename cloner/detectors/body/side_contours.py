@@ -15,7 +15,7 @@ from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SoftMask, Strip, gap_between, polyline, sample, walk_strip
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
-_CALIBRATED: Final = calibrated("detectors.flanks")
+_CALIBRATED: Final = calibrated("detectors.side_contours")
 
 Bools = NDArray[np.bool_]
 

@@ -21,7 +21,7 @@ from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.photographs.head_frame import HeadFrame, find_head
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
-_CALIBRATED: Final = calibrated("labels.looks")
+_CALIBRATED: Final = calibrated("labels.evidence")
 
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float32]

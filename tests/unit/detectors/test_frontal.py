@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.detectors.face import found
-from cloner.detectors.face.found import frontal_face_behind_hair, skin_share
+from cloner.detectors.face import frontal
+from cloner.detectors.face.frontal import frontal_face_behind_hair, skin_share
 from cloner.detectors.nets.results import FaceResult
 from cloner.frames import ViewId
 from cloner.records.labels import Label
@@ -40,13 +40,13 @@ def guessed(monkeypatch: pytest.MonkeyPatch) -> None:
     mesh = 100.0 + 40.0 * np.column_stack([np.cos(angle), np.sin(angle)])
     face = FaceResult(mesh, np.zeros(468), 0.1, 0.0, None, np.array([[115.0, 90.0], [85.0, 90.0]]), mesh)
     answers = {"guessed_face": lambda rgb: face, "refined_face": lambda rgb, points, irises: points}
-    monkeypatch.setattr(found.DETECTORS, "get", lambda name: answers[name])
+    monkeypatch.setattr(frontal.DETECTORS, "get", lambda name: answers[name])
 
 
 def test_a_face_below_a_fringe_is_found_with_the_least_presence_that_counts() -> None:
     face = frontal_face_behind_hair(photo(), pose(), labels(40))
     assert face is not None
-    assert face[2] == found.LEAST_PRESENCE
+    assert face[2] == frontal.LEAST_PRESENCE
     assert face[0].shape == (468, 2)
 
 

@@ -24,7 +24,7 @@ from cloner.paint.lookups.sources import CLAIM_POWER, Source
 from cloner.paint.lookups.zones import always_bare
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.evening import log_levels
+from cloner.vision.retouching.normalising import log_levels
 
 #: Share of bareness by which two photos call a texel skin and cloth (taste).
 STRANGE_KIND: Final = 0.5
@@ -97,7 +97,7 @@ def reject_slanted(generic: GenericHuman, sources: list[Source], evened: Array, 
     level = np.asarray(log_levels(evened), np.float64)
     photos = frozenset(source.view for source in sources)
     claim = np.stack([_angle_claim(generic, source, photos) for source in sources])
-    brow = np.stack([sample(source.plate.brows, source.lookup_px)[:, 0] / 255.0 for source in sources])
+    brow = np.stack([sample(source.matted.brows, source.lookup_px)[:, 0] / 255.0 for source in sources])
     face = generic.region("face")
     own = (brow > BROW) | generic.region("eyelids") | generic.region("lips")
     hidden = face & ~own & _dark_before_skin(sources, claim, level.mean(axis=2), graph)
