@@ -31,7 +31,7 @@ FIGURE_M = _CALIBRATED.number("figure_m", "m")
 def by_expected_gain(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
     """Return the proposed points of all photos in decreasing expected gain; placed ones come last.
 
-    A face's point mends its neighbours too (``detectors/propagation.py``), and counts for so much less once they are known.
+    A point of the face also corrects its neighbours (``detectors/propagation.py``), and gains less once they are known.
     The face in a body photo is left out where the face has a photo of its own, which says the same larger.
     """
     large = set(points[ViewId.FACE_FRONT].names) if ViewId.FACE_FRONT in points else set()
