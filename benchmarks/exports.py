@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 from cloner.exporters.table import EXPORTERS
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 
 
 def main() -> None:
@@ -23,7 +23,7 @@ def main() -> None:
     parser.add_argument("result", type=Path)
     parser.add_argument("--format", default=",".join(EXPORTERS))
     asked = parser.parse_args()
-    clone, total = clone_of(asked.result), 0.0
+    clone, total = load_clone_at(asked.result), 0.0
     sys.stdout.write("| format | CPU s | KiB | files |\n" + "| --- " * 4 + "|\n")
     with tempfile.TemporaryDirectory() as scratch:
         for name in asked.format.split(","):

@@ -23,7 +23,7 @@ from cloner.generic.load import load_generic
 from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
 from cloner.motion.face.limits import limited
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 
 #: Faces of several targets; they are played as the product plays them, held back by `limited`.
@@ -60,7 +60,7 @@ def random_head(seed: int) -> Clone:
 def subjects(results: list[Path], heads: int) -> Iterator[tuple[str, Clone]]:
     """Yield the clones and the random heads, with their names."""
     for path in results:
-        yield path.name, clone_of(path)
+        yield path.name, load_clone_at(path)
     for seed in range(heads):
         yield f"random {seed}", random_head(seed)
 

@@ -19,7 +19,7 @@ from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.geometry.cameras.viewpoints import FOCAL_PER_LONG_SIDE, look_at
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 from cloner.render import draw
@@ -82,7 +82,7 @@ def main() -> None:
     parser.add_argument("results", type=Path, nargs="+")
     parser.add_argument("--out", type=Path, required=True)
     options = parser.parse_args()
-    picture = np.vstack([sheet(clone_of(path)) for path in options.results])
+    picture = np.vstack([sheet(load_clone_at(path)) for path in options.results])
     options.out.parent.mkdir(parents=True, exist_ok=True)
     cv2.imwrite(str(options.out), picture[..., ::-1])
 

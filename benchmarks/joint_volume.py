@@ -33,7 +33,7 @@ from cloner.motion.flesh.rest import in_t_pose
 from cloner.motion.limbs.body import SIDES, body_of
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.render import draw
@@ -143,7 +143,7 @@ def main() -> None:
     asked = parser.parse_args()
     text = [HEAD]
     for result in asked.results:
-        name, clone = (result if result.is_dir() else result.parent).name, centre_joints(clone_of(result))
+        name, clone = (result if result.is_dir() else result.parent).name, centre_joints(load_clone_at(result))
         for pose, own in (("A", clone), ("T", in_t_pose(clone))):
             bending = Bending(own)
             targets = f"{len(bending.targets)} targets, {bending.bytes / 1e3:.0f} kB"

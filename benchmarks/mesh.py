@@ -43,7 +43,7 @@ from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import walk
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 from cloner.render import draw
@@ -266,7 +266,7 @@ def main() -> None:
     parser.add_argument("--page", type=Path)
     parser.add_argument("--picture", type=Path)
     asked = parser.parse_args()
-    clones = {path.name: clone_of(path) for path in asked.results}
+    clones = {path.name: load_clone_at(path) for path in asked.results}
     made = {f"random {seed}": random_clone(seed) for seed in range(FIRST_SEED, FIRST_SEED + asked.people)}
     clones = {name: centre_joints(clone) for name, clone in (clones | made).items() if clone is not None}
     found = {}

@@ -31,7 +31,7 @@ from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.gait import walk
 from cloner.motion.moves.slide import step_slides_m
 from cloner.motion.moves.styles import REGULAR, STYLES, Style
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
@@ -105,7 +105,7 @@ def _angles(capture: Capture, body: Body, motion: Motion) -> Array:
 
 def tables(results: list[Path], captures: list[Path], people: int) -> str:
     """Return both tables as Markdown."""
-    known = [(_who(path), body_of(centre_joints(clone_of(path)))) for path in results]
+    known = [(_who(path), body_of(centre_joints(load_clone_at(path)))) for path in results]
     bodies = [*known, *random_bodies(people)]
     lines = [
         _head("walk of", "closes, mm", "sliding, mm a step", "worst, mm", "knee least, °", "most, °", "m/s"),

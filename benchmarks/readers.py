@@ -27,7 +27,7 @@ from cloner.exporters.table import EXPORTERS
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from kit import readers
 from kit.readers import Picture, person
@@ -82,7 +82,7 @@ def main() -> None:
     parser.add_argument("result", type=Path)
     parser.add_argument("--out", type=Path, default=Path("docs/pictures/readers.jpg"))
     asked = parser.parse_args()
-    clone, panels, red = centre_joints(clone_of(asked.result)), [], 0
+    clone, panels, red = centre_joints(load_clone_at(asked.result)), [], 0
     _row("program", "file", *ASKED, "upright", "s", "verdict")
     _row(*["---"] * (len(ASKED) + 5))
     with tempfile.TemporaryDirectory() as scratch:

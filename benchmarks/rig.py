@@ -28,7 +28,7 @@ from cloner.motion.limbs.body import SIDES, Body, below, body_of
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import aim_limb
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner.render import draw
 
@@ -158,7 +158,7 @@ def main() -> None:
         folder = result if result.is_dir() else result.parent
         path = asked.out / f"rig_{folder.parent.name if folder.name == 'plain' else folder.name}.jpg"
         path.parent.mkdir(parents=True, exist_ok=True)
-        cv2.imwrite(str(path), sheet(clone_of(result))[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])
+        cv2.imwrite(str(path), sheet(load_clone_at(result))[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])
         sys.stdout.write(f"{path}\n")
 
 

@@ -22,7 +22,7 @@ from cloner.exporters.gltf.gltf import export
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import framing_camera
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner.render import draw
 from cloner.statues.blobs import field_of
@@ -66,7 +66,7 @@ def materials(clones: list[Path]) -> list[str]:
         "| --- | --- | --- | --- | --- | --- |",
     ]
     for path in clones:
-        clone = clone_of(path)
+        clone = load_clone_at(path)
         for name in MATERIALS:
             start = time.process_time()
             first = statue_of(clone, name)

@@ -31,7 +31,7 @@ from cloner.motion.face.speech import STEP_S, VISEMES, mouth_weights, phoneme_vi
 from cloner.motion.face.talk import FRAMES_PER_S, spoken_visemes, talk
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.rig import centre_joints
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner.render import render
 
@@ -152,7 +152,7 @@ def main() -> None:
     parser.add_argument("--voices", nargs="*", default=[])
     asked = parser.parse_args()
     if asked.voices:
-        clone = centre_joints(clone_of(asked.clone))
+        clone = centre_joints(load_clone_at(asked.clone))
         sys.stdout.write("| voice | by sound: closed | salient lead | all lead | by phonemes: closed | salient | all "
                          "| p b m, salient, all |\n" + "| --- " * 8 + "|\n")  # fmt: skip
         for voice in asked.voices:
@@ -169,7 +169,7 @@ def main() -> None:
             share = 100.0 * np.mean([good for _, good in rows])
             sys.stdout.write(f"| {sound.stem} | {by} | {len(rows)} | {share:.0f} | {missed} |\n")
     if asked.clone:
-        picture = strip(clone_of(asked.clone), sounds[0].with_suffix(".txt"))
+        picture = strip(load_clone_at(asked.clone), sounds[0].with_suffix(".txt"))
         cv2.imwrite(str(asked.out), picture[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])
 
 

@@ -24,7 +24,7 @@ from cloner.motion.limbs.body import Body, body_of
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.own import own_motions
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.atomic import safe_output
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -73,7 +73,7 @@ def animate_file(
     beside = {path: out.with_name(f"{out.stem}_{path.stem}.fap") for path in sources if path.suffix.lower() in SPEECH}
     for file in (out, *beside.values()):
         safe_output(file)
-    clone = clone_of(clone_path)
+    clone = load_clone_at(clone_path)
     made = [_motion(clone, body_of(centre_joints(clone)), path, cycles=cycles, emotion=emotion) for path in sources]
 
     def moves(posed: Clone) -> Sequence[Motion]:

@@ -1,4 +1,4 @@
-"""Clone everyone below a folder; a failed visitor is recorded and the rest goes on."""
+"""Cloning of everyone below a folder; failures are recorded and the rest continues."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ALONE: Final = 1
 
 @dataclass(frozen=True, slots=True)
 class BatchOptions:
-    """How a batch is cloned.
+    """Options of a batch.
 
     Attributes
     ----------
@@ -133,14 +133,14 @@ def _results(tasks: Sequence[Task], options: BatchOptions) -> Iterator[tuple[str
 
 
 def clone_in_worker(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
-    """Clone one visitor in a worker process, which is ended if that takes too long."""
+    """Clone one visitor in a worker process, which is killed after a time limit."""
     os.umask(0o077)  # as the command line: results are the owner's alone
     with watchdog(options.timeout_s):
         return clone_visitor(visitor, out, options)
 
 
 def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
-    """Clone one visitor and return what became of it."""
+    """Clone one visitor and return its row."""
     start = time.perf_counter()
     identifier = visitor.identifier
     try:

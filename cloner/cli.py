@@ -15,7 +15,7 @@ import cloner
 from cloner.commands import bodies, clones, crowds, held, machine
 from cloner.commands.scenes import scenes
 from cloner.commands.statues import statues
-from cloner.terminal import ended
+from cloner.terminal import run_command
 
 app = typer.Typer(
     name="cloner",
@@ -66,7 +66,7 @@ def main() -> None:
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # nohup is obeyed
             signal.signal(number, _stop)
     os.umask(0o077)  # results hold a person's likeness: nobody else's business on a shared machine
-    sys.exit(ended(lambda: app(standalone_mode=False)))
+    sys.exit(run_command(lambda: app(standalone_mode=False)))
 
 
 def _stop(number: int, frame: FrameType | None) -> None:

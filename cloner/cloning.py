@@ -1,4 +1,4 @@
-"""The one way from a folder of photos to a folder of results; behind command line, batch and window."""
+"""From a folder of photos to a folder of results: the one function behind command line, batch and window."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner import pipeline
-from cloner.abreast import abreast, beside
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS, check_formats
 from cloner.interactive.refitting import reusable_values
 from cloner.making import DEFAULT_TEXTURE_SIZE, check_texture_size, clone_photos
-from cloner.memory import check_room, keep_one_heap, peak_mib
-from cloner.pipeline import Progress, quiet
+from cloner.memory import check_address_limit, peak_mib, use_one_heap
+from cloner.parallel import in_background, parallel_map
+from cloner.pipeline import Progress, no_progress
 from cloner.previews import write_previews
 from cloner.project.atomic import result_folder
 from cloner.project.clone_file import CLONE_FILE, save_clone
@@ -50,7 +50,7 @@ PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CloneOutcome:
-    """What a finished clone left.
+    """The result of a finished clone.
 
     Attributes
     ----------
@@ -83,11 +83,11 @@ def clone_folder(
     seed: int = 0,
     identifier: str | None = None,
     texture_size: int = DEFAULT_TEXTURE_SIZE,
-    progress: Progress = quiet,
-    found: pipeline.Found = pipeline.unseen,
+    progress: Progress = no_progress,
+    found: pipeline.Found = pipeline.ignore_values,
     known: Mapping[str, object] | None = None,
 ) -> CloneOutcome:
-    """Clone the person in a folder of photos; the result appears whole or not at all.
+    """Clone the person in a folder of photos; the result appears completely or not at all.
 
     Parameters
     ----------
@@ -119,12 +119,12 @@ def clone_folder(
         If ``progress`` raised it; nothing is left behind.
     """
     begun = time.perf_counter(), time.process_time()
-    check_room()
-    keep_one_heap()
+    check_address_limit()
+    use_one_heap()
     check_formats(formats)
     check_texture_size(texture_size)
     progress("photos", 0.0)
-    given = _read_beside(photos_dir, height_cm, identifier)
+    given = _read_side_files(photos_dir, height_cm, identifier)
     options = stamp_options(height_cm, formats, seed, texture_size)
     work = _Work(photos_dir, tuple(formats), options, begun, progress, found)
     with result_folder(out_dir, given.person.identifier, photos_dir) as folder:
@@ -134,8 +134,8 @@ def clone_folder(
 
 
 @dataclass(frozen=True, slots=True)
-class _Beside:
-    """What the files beside the photos say, and the sha256 of those that count, by name."""
+class _SideFiles:
+    """The contents of the files beside the photos, and the sha256 of those that count, by name."""
 
     person: Person
     corrections: Corrections
@@ -144,11 +144,11 @@ class _Beside:
     digests: Mapping[str, str]
 
 
-def _read_beside(photos_dir: Path, height_cm: float | None, identifier: str | None) -> _Beside:
+def _read_side_files(photos_dir: Path, height_cm: float | None, identifier: str | None) -> _SideFiles:
     """Read what lies beside the photos; refuse files that change meanwhile."""
     digests = beside_digests(photos_dir)
     person, corrections = read_person(photos_dir, height_cm, identifier), read_corrections(photos_dir)
-    given = _Beside(person, corrections, bool(read_consent(photos_dir)), read_terms(photos_dir), digests)
+    given = _SideFiles(person, corrections, bool(read_consent(photos_dir)), read_terms(photos_dir), digests)
     if beside_digests(photos_dir) != digests:
         raise ClonerError("its files were changed while they were read", "Clone again", photos_dir.name)
     return given
@@ -156,7 +156,7 @@ def _read_beside(photos_dir: Path, height_cm: float | None, identifier: str | No
 
 @dataclass(frozen=True, slots=True)
 class _Work:
-    """One clone on its way: what was asked, since when, and who is told."""
+    """One clone in progress: its options, start time and listeners."""
 
     photos_dir: Path
     formats: tuple[str, ...]
@@ -165,7 +165,9 @@ class _Work:
     progress: Progress
     found: pipeline.Found
 
-    def into(self, folder: Path, given: _Beside, known: Mapping[str, object]) -> tuple[dict[str, Any], dict[str, Any]]:
+    def into(
+        self, folder: Path, given: _SideFiles, known: Mapping[str, object]
+    ) -> tuple[dict[str, Any], dict[str, Any]]:
         """Clone into a folder; return the report and all values of the pipeline."""
         photos = load_photos(self.photos_dir)
         person, corrections = given.person, given.corrections
@@ -208,7 +210,9 @@ def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path
     writers = (keep, *(partial(_export, name, clone, folder) for name in formats))
     progress("previews", 0.9)
     shown = (values["photos"], values["proposals"], (values["body_points"], values["face_points"]))
-    with beside(lambda: list(abreast(lambda write: write(), writers))):  # drawing stays on this thread, as GL wants
+    with in_background(
+        lambda: list(parallel_map(lambda write: write(), writers))
+    ):  # drawing stays on this thread, as GL wants
         write_previews(clone, *shown, values["obeyed_silhouettes"], folder)
     if (folder / GLB_FILE).is_file():
         write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)

@@ -7,8 +7,8 @@ from typing import Final
 LONGEST: Final = 400  # taste: a file's own words may be endless, a sentence is not
 
 
-def plain(text: str) -> str:
-    """Return text that a terminal, a log and a table show as it is: one line, no control or direction marks."""
+def printable(text: str) -> str:
+    """Return text safe for a terminal, a log and a table: one line, no control or direction marks."""
     shown = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in text)
     return shown if len(shown) <= LONGEST else f"{shown[: LONGEST // 2]}…{shown[-LONGEST // 2 :]}"
 
@@ -25,13 +25,13 @@ class ClonerError(Exception):
     where : str
         The file, view or field it concerns; a name, never a home path.
 
-    All three may quote what somebody else wrote: they are made :func:`plain`.
+    All three may quote what somebody else wrote: they are made :func:`printable`.
     """
 
     def __init__(self, message: str, hint: str, where: str) -> None:
-        self.message = plain(message)
-        self.hint = plain(hint)
-        self.where = plain(where)
+        self.message = printable(message)
+        self.hint = printable(hint)
+        self.where = printable(where)
         super().__init__(self.message, self.hint, self.where)
 
     def __str__(self) -> str:

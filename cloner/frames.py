@@ -36,12 +36,12 @@ class ViewId(StrEnum):
 
     @property
     def is_front(self) -> bool:
-        """Whether the photo is taken from before."""
+        """Whether the photo is taken from the front."""
         return self.value.endswith("front")
 
     @property
     def is_side(self) -> bool:
-        """Whether the photo is taken from aside."""
+        """Whether the photo is taken from the side."""
         return self.value.endswith("side")
 
 

@@ -1,4 +1,4 @@
-"""From photos to the clone in memory: `clone` for programs (``from cloner import clone``), and what is behind it."""
+"""From photos to the clone in memory: `clone` for programs (``from cloner import clone``), and its implementation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any, Final, cast
 from cloner import pipeline
 from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m
-from cloner.pipeline import Progress, Stage, StageReport, quiet
+from cloner.pipeline import Progress, Stage, StageReport, no_progress
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import checked_height_m, load_photos, read_corrections, read_person
 from cloner.project.stamps import stamp_text
@@ -38,7 +38,7 @@ def clone(
     *,
     seed: int = 0,
     texture_size: int = DEFAULT_TEXTURE_SIZE,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> Clone:
     """Return the clone of the person in some photos; writes nothing.
 
@@ -71,13 +71,13 @@ def clone(
         loaded, corrections = load_photos(folder), read_corrections(folder)
         person = read_person(folder, None if height_m is None else cm_from_m(height_m))
     else:
-        loaded, corrections, person = _loaded(photos), no_corrections(), _person(height_m)
+        loaded, corrections, person = _load_photos(photos), no_corrections(), _person(height_m)
     values, _ = clone_photos(loaded, person, corrections, seed=seed, texture_size=texture_size, progress=progress)
     made: Clone = values["clone"]
     return made
 
 
-def _loaded(files: Mapping[str, str | Path]) -> PhotoSet:
+def _load_photos(files: Mapping[str, str | Path]) -> PhotoSet:
     photos = {}
     for name, path in files.items():
         try:
@@ -102,8 +102,8 @@ def clone_photos(
     corrections: Corrections,
     *,
     seed: int = 0,
-    progress: Progress = quiet,
-    found: pipeline.Found = pipeline.unseen,
+    progress: Progress = no_progress,
+    found: pipeline.Found = pipeline.ignore_values,
     known: Mapping[str, object] | None = None,
     texture_size: int = DEFAULT_TEXTURE_SIZE,
 ) -> tuple[dict[str, Any], list[StageReport]]:
@@ -131,8 +131,8 @@ def clone_photos(
     """
     values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
     check_texture_size(texture_size)
-    values, fresh = _run_believing(values, seed, progress, found, _stages(texture_size))
-    reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
+    values, fresh = _run_without_contradicting_photos(values, seed, progress, found, _stages(texture_size))
+    reports = merge_reports(fresh, (known or {}).get("stage_reports", ()))
     measures = cast(MeasureSet, values["measures"]).measures
     values["clone"] = replace(
         cast(Clone, values["clone"]),
@@ -142,35 +142,35 @@ def clone_photos(
     return {**values, "stage_reports": reports}, list(reports)
 
 
-def _run_believing(
+def _run_without_contradicting_photos(
     values: Mapping[str, Any], seed: int, progress: Progress, found: pipeline.Found, stages: tuple[Stage, ...]
 ) -> tuple[dict[str, Any], list[StageReport]]:
-    """Run the stages; when the clone contradicts a photo that it can do without, run them again without it.
+    """Run the stages; if the clone contradicts a photo that it can do without, run them again without it.
 
     How well the clone covers the person is among the values, as "agreements".
     """
     given = dict(values)
     values, reports = pipeline.run(given, seed=seed, progress=progress, found=found, stages=stages)
-    values["agreements"] = seen = _seen_whole(values)
+    values["agreements"] = seen = _photo_agreements(values)
     unlike = contradicting_photos(seen)
     if unlike:
         log.info("made again without %s", ", ".join(unlike))
         base = {name: given[name] for name in ("photos", "person", "corrections")}
         base["proposals"] = cast(Proposals, values["proposals"]).without(unlike)
         again, fresh = pipeline.run(base, seed=seed, progress=progress, found=found, stages=stages)
-        again["agreements"] = fresh_seen = _seen_whole(again)
+        again["agreements"] = fresh_seen = _photo_agreements(again)
         if is_better(seen, fresh_seen):
             first = [report for report in reports if report.name == "proposals"]
             return again, [*first, *fresh]
     return values, reports
 
 
-def _seen_whole(values: Mapping[str, object]) -> dict[ViewId, PhotoAgreement]:
+def _photo_agreements(values: Mapping[str, object]) -> dict[ViewId, PhotoAgreement]:
     return agreements(cast(Clone, values["clone"]), cast(SilhouetteSet, values["obeyed_silhouettes"]))
 
 
-def with_earlier(fresh: Sequence[StageReport], earlier: object) -> tuple[StageReport, ...]:
-    """Return the reports of all stages in their order: of those that did not run again the earlier one, at no time."""
+def merge_reports(fresh: Sequence[StageReport], earlier: object) -> tuple[StageReport, ...]:
+    """Return the reports of all stages in order; stages that did not run again keep their earlier one, at zero time."""
     by_name = {report.name: replace(report, seconds=0.0, cpu_seconds=0.0) for report in cast(Any, earlier)}
     by_name |= {report.name: report for report in fresh}
     return tuple(by_name[stage.name] for stage in pipeline.STAGES if stage.name in by_name)

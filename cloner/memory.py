@@ -1,4 +1,4 @@
-"""The process's memory: how much it was at most, whether it may be enough, and giving back what is free."""
+"""Memory of the process: its peak, limits, and the return of free memory to the system."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ else:
 #: threads. With less some library ends the process itself, without a word that anybody could catch.
 CLONE_ADDRESSES_BYTES: Final = 2_500_000_000
 #: Parameters of glibc's ``mallopt`` (malloc.h), and what they are set to: arrays up to this size come from the heap
-#: (the most that glibc takes), and that much of it may lie free between two calls of ``give_back``.
+#: (the most that glibc takes), and that much of it may lie free between two calls of ``release_free_memory``.
 _TRIM_THRESHOLD, _MMAP_THRESHOLD, _ARENA_MAX = -1, -3, -8
 _LARGEST_KEPT: Final = 32 * 1024 * 1024
 _MOST_KEPT: Final = 2**31 - 1
 
 
-def check_room() -> None:
-    """Check that a limit on this process's addresses (``ulimit -v``) leaves enough for a clone.
+def check_address_limit() -> None:
+    """Check that a limit on this process's address space (``ulimit -v``) is large enough for a clone.
 
     Raises
     ------
@@ -52,12 +52,12 @@ def peak_mib() -> float:
     return peak / (1024.0 * 1024.0 if sys.platform == "darwin" else 1024.0)
 
 
-def keep_one_heap() -> None:
-    """Let all threads of this process take memory from one heap, and leave large freed arrays there for the next ones.
+def use_one_heap() -> None:
+    """Let all threads of this process allocate from one heap, and keep large freed arrays there.
 
     An arena a thread keeps what only that thread will ask for again: 180 MiB of a clone's peak. Large arrays fetched
-    from the system and handed back one by one cost a fault for every page: a quarter of a clone's. ``give_back`` still
-    empties the heap.
+    from the system and handed back one by one cost a fault for every page: a quarter of a clone's.
+    ``release_free_memory`` still empties the heap.
     """
     option = _of_libc("mallopt")
     if option is not None:
@@ -65,8 +65,8 @@ def keep_one_heap() -> None:
             option(parameter, value)
 
 
-def give_back() -> None:
-    """Let the system have the memory that is free: the C library keeps what threads and large arrays left (300 MiB)."""
+def release_free_memory() -> None:
+    """Return free memory to the system: the C library keeps what threads and large arrays freed (300 MiB)."""
     trim = _of_libc("malloc_trim")
     if trim is not None:
         trim(0)
@@ -74,7 +74,7 @@ def give_back() -> None:
 
 @functools.cache
 def _of_libc(name: str) -> Callable[..., int] | None:
-    """Return a function of the C library, or None where it has none such: these two are glibc's own."""
+    """Return a function of the C library, None where it does not exist: these two are glibc's."""
     try:
         return cast(Callable[..., int], getattr(ctypes.CDLL(None), name))
     except (AttributeError, OSError, TypeError):

@@ -1,4 +1,4 @@
-"""Draw a finished clone from its file, still or turning."""
+"""Pictures of a finished clone from its file, still or turning."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
     if view == TURNTABLE and out.suffix.lower() not in FORMATS:
         raise ClonerError("a turntable is a film", f"Give --out one of {', '.join(FORMATS)}", out.name)
     safe_output(out)
-    clone = clone_of(clone_path)
+    clone = load_clone_at(clone_path)
     with appears(out) as temporary:
         if view == TURNTABLE:
             write_film(turntable(clone, width, height), TURN_FRAMES / TURN_SECONDS, temporary)
@@ -63,7 +63,7 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
             Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG", pnginfo=told)
 
 
-def clone_of(path: Path) -> Clone:
+def load_clone_at(path: Path) -> Clone:
     """Return the clone in ``clone.npz`` or in the folder that holds it.
 
     Raises
@@ -75,7 +75,7 @@ def clone_of(path: Path) -> Clone:
 
 
 def clone_file(path: Path) -> Path:
-    """Return the ``clone.npz`` that a result's folder holds, or that is given itself.
+    """Return the ``clone.npz`` in a result's folder, or the file itself.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The stages with what they need and give, and running them."""
+"""The stages with their inputs and outputs, and their execution."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from functools import partial
 
 import numpy as np
 
-from cloner.abreast import as_ready
-from cloner.memory import give_back, peak_mib
+from cloner.memory import peak_mib, release_free_memory
+from cloner.parallel import as_completed
 from cloner.records.results import Residual, StageResult
 from cloner.stages import (
     fine,
@@ -145,28 +145,28 @@ class StageReport:
 
 
 def stage_rng(seed: int, name: str) -> np.random.Generator:
-    """Return the generator of one stage; a new stage shifts no other."""
+    """Return the random generator of one stage; a new stage does not change the others'."""
     digest = hashlib.sha256(f"{seed}/{name}".encode()).digest()
     return np.random.default_rng(int.from_bytes(digest[:8], "little"))
 
 
-def quiet(step: str, fraction: float) -> None:
-    """Take progress and say nothing."""
+def no_progress(step: str, fraction: float) -> None:
+    """Ignore progress."""
 
 
-def unseen(name: str, values: Mapping[str, object]) -> None:
-    """Take what a stage found and do nothing."""
+def ignore_values(name: str, values: Mapping[str, object]) -> None:
+    """Ignore what a stage produced."""
 
 
 def run(
     values: Mapping[str, object],
     *,
     seed: int = 0,
-    progress: Progress = quiet,
-    found: Found = unseen,
+    progress: Progress = no_progress,
+    found: Found = ignore_values,
     stages: tuple[Stage, ...] = STAGES,
 ) -> tuple[dict[str, object], list[StageReport]]:
-    """Run the stages, each as soon as its needs are known, two at a time; return all values and one report a stage.
+    """Run the stages, each as soon as its inputs are known, two at a time; return all values and one report a stage.
 
     Parameters
     ----------
@@ -188,7 +188,7 @@ def run(
     """
     known = dict(values)
     waiting = [stage for stage in stages if not all(name in known for name in stage.gives)]
-    board = _Board(progress, stages, waiting)
+    board = _Progress(progress, stages, waiting)
 
     def take() -> Stage | None:
         ready = next((stage for stage in waiting if all(name in known for name in stage.needs)), None)
@@ -200,7 +200,7 @@ def run(
         return _run_stage(stage, {name: known[name] for name in stage.needs}, seed, board)
 
     reports: dict[str, StageReport] = {}
-    for stage, (result, reports[stage.name]) in as_ready(work, take, board.stop):
+    for stage, (result, reports[stage.name]) in as_completed(work, take, board.stop):
         known.update(result.values)
         found(stage.name, known)
     if waiting:
@@ -209,8 +209,8 @@ def run(
     return known, [reports[stage.name] for stage in stages if stage.name in reports]
 
 
-class _Board:
-    """How far the stages are; the threads of several write on it."""
+class _Progress:
+    """Progress of the stages, shared by their threads."""
 
     def __init__(self, progress: Progress, stages: Sequence[Stage], waiting: Sequence[Stage]) -> None:
         self._progress = progress
@@ -219,7 +219,7 @@ class _Board:
         self._error: BaseException | None = None
 
     def tell(self, name: str, fraction: float) -> None:
-        """Write how far a stage is and tell how far the whole is; raises what ended another stage."""
+        """Record a stage's progress and report the total; raise what ended another stage."""
         with self._turn:
             if self._error is not None:
                 raise self._error
@@ -227,16 +227,18 @@ class _Board:
             self._progress(name, sum(self._parts.values()) / len(self._parts))
 
     def end(self, name: str) -> None:
-        """Write that a stage has ended well."""
+        """Record that a stage has finished."""
         self._parts[name] = 1.0
 
     def stop(self, error: BaseException) -> None:
-        """Let all stages end at their next word; the first error counts."""
+        """Let all stages end at their next report; the first error counts."""
         self._error = self._error or error
 
 
-def _run_stage(stage: Stage, needs: Mapping[str, object], seed: int, board: _Board) -> tuple[StageResult, StageReport]:
-    """Run one stage and return what it gives and its report."""
+def _run_stage(
+    stage: Stage, needs: Mapping[str, object], seed: int, board: _Progress
+) -> tuple[StageResult, StageReport]:
+    """Run one stage and return its values and its report."""
     wall, cpu = time.perf_counter(), time.process_time()
     try:
         board.tell(stage.name, 0.0)
@@ -248,7 +250,7 @@ def _run_stage(stage: Stage, needs: Mapping[str, object], seed: int, board: _Boa
         board.stop(error)
         raise
     board.end(stage.name)
-    give_back()
+    release_free_memory()
     seconds, cpu_seconds = time.perf_counter() - wall, time.process_time() - cpu
     log.info("%s: %.2f s", stage.name, seconds)
     return result, StageReport(stage.name, seconds, cpu_seconds, peak_mib(), result.residuals, result.warnings)

@@ -1,4 +1,4 @@
-"""Small pictures that let a person judge a clone: beside the photos, and what was measured in them."""
+"""Small pictures for judging a clone: beside the photos, and with what was measured in them."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def _overlay(
 ) -> Pixels:
     """Return the photo with outlines and points drawn on it."""
     marked = seen.copy()
-    marked[_rim(cover)] = _CLONE
+    marked[_boundary_band(cover)] = _CLONE
     image = Image.fromarray(marked)
     pen = ImageDraw.Draw(image)
     for contour in silhouette.contours_px if silhouette is not None else ():
@@ -175,8 +175,8 @@ def _overlay(
     return np.asarray(image)
 
 
-def _rim(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the pixels of a mask within two pixels of its outside; the picture's own border is none."""
+def _boundary_band(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the pixels of a mask within two pixels of its boundary, without the picture's own border."""
     inside = mask.copy()
     for _ in range(2):
         padded = np.pad(inside, 1, mode="edge")
@@ -186,14 +186,14 @@ def _rim(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 def _strip(clone: Clone, views: Sequence[str], height_px: int, shading: Shading = "photo") -> Pixels:
     """Return the resting clone from several sides at one scale, side by side."""
-    cameras = evenly_scaled([standard_camera(clone, view, height_px, height_px) for view in views])
+    cameras = same_distance([standard_camera(clone, view, height_px, height_px) for view in views])
     layers = clone_layers(clone)
     pictures = [draw(layers, camera, shading=shading, background=_BACKDROP) for camera in cameras]
     return np.hstack([_trimmed(picture) for picture in pictures])
 
 
-def evenly_scaled(cameras: Sequence[Camera]) -> list[Camera]:
-    """Return level cameras of one lens moved back to the distance of the farthest, so that their pictures compare.
+def same_distance(cameras: Sequence[Camera]) -> list[Camera]:
+    """Return level cameras of one lens at the distance of the farthest, so that their pictures are to one scale.
 
     The distance is measured to the model's vertical axis, along each camera's own line of sight.
     """

@@ -1,4 +1,4 @@
-"""The one registry: a name stands for ``module:attribute``, loaded on first use."""
+"""The registry of exchangeable parts: a name stands for ``module:attribute``, loaded on first use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of a clone through any camera; drawn by GL, or without it in NumPy."""
+"""Pictures of a clone through any camera, by OpenGL or in NumPy."""
 
 from __future__ import annotations
 
@@ -69,13 +69,13 @@ def render_mask(clone: Clone, camera: Camera, rotations: Array | None = None) ->
 
 def render_rgba(clone: Clone, camera: Camera, rotations: Array | None = None, *, shading: Shading = "photo") -> Image:
     """Return the (H, W, 4) uint8 cut-out of a clone, alpha not multiplied in."""
-    return cut_out(clone_layers(clone, rotations), camera, shading=shading)
+    return draw_rgba(clone_layers(clone, rotations), camera, shading=shading)
 
 
-def cut_out(
+def draw_rgba(
     layers: Sequence[Layer], camera: Camera, *, shading: Shading = "photo", supersample: int = SUPERSAMPLE
 ) -> Image:
-    """Return the (H, W, 4) uint8 picture of meshes seen through beside them, alpha not multiplied in."""
+    """Return the (H, W, 4) uint8 picture of meshes on a transparent background, alpha not premultiplied."""
     alpha = coverage(layers, camera, supersample=supersample)[..., None]
     dark = draw(layers, camera, shading=shading, background=(0, 0, 0), supersample=supersample)
     colour = dark / np.maximum(alpha, 1e-3)
@@ -143,12 +143,12 @@ def draw(
 
 
 def coverage(layers: Sequence[Layer], camera: Camera, *, supersample: int = SUPERSAMPLE) -> Array:
-    """Return the (H, W) share 0..1 of every pixel that the meshes cover; alpha counts as cover."""
+    """Return each pixel's share (H, W), 0..1, that the meshes cover; alpha counts as cover."""
     return draw(white_layers(layers), camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
 
 
 def require_gl() -> None:
-    """Draw nothing, but through EGL.
+    """Draw only by EGL; raise without it.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def require_gl() -> None:
 
 @functools.cache
 def has_gl() -> bool:
-    """Return whether EGL works here; says so once in the log when it does not."""
+    """Return whether EGL works here; logs it once if not."""
     try:
         require_gl()
     except ClonerError as error:

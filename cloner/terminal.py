@@ -1,4 +1,4 @@
-"""Progress for people who watch a terminal and for logs, and how a command ends: a sentence and a number."""
+"""Progress on terminals and in logs, and exit messages and codes of commands."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from typing import Final, Self, TextIO
 
 import typer
 
-from cloner.errors import Cancelled, ClonerError, plain
+from cloner.errors import Cancelled, ClonerError, printable
 
 log = logging.getLogger(__name__)
 
@@ -87,8 +87,8 @@ class ProgressLine:
         self._step = ""
 
 
-class Unheard(io.TextIOWrapper):
-    """Standard error that never ends a command: nobody may listen any more, and the work goes on."""
+class UnfailingStderr(io.TextIOWrapper):
+    """Standard error that never raises: the reader may be gone, and the work continues."""
 
     def write(self, text: str) -> int:
         """Write what can be written."""
@@ -103,7 +103,7 @@ class Unheard(io.TextIOWrapper):
 
 
 def prepare_streams() -> None:
-    """Make both standard streams such that names which are no text can be shown, and that a deaf reader ends nothing.
+    """Make standard streams that print any file name and survive a closed reader.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def prepare_streams() -> None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")
     elif sys.stderr is sys.__stderr__ and isinstance(sys.stderr, io.TextIOWrapper):
         encoding = sys.stderr.encoding
-        sys.stderr = Unheard(sys.stderr.detach(), encoding, "backslashreplace", line_buffering=True)
+        sys.stderr = UnfailingStderr(sys.stderr.detach(), encoding, "backslashreplace", line_buffering=True)
     if sys.stdout is None:
         sys.stdout = open(os.devnull, "w", encoding="utf-8")
         raise ClonerError("it is closed", "Give it a place, for example > /dev/null", "standard output")
@@ -122,8 +122,8 @@ def prepare_streams() -> None:
         sys.stdout.reconfigure(errors="backslashreplace")  # names of folders need not be text
 
 
-def ended(work: Callable[[], object]) -> int:
-    """Do the work of a command and return its exit code; what went wrong is said in one line, never as a trace.
+def run_command(work: Callable[[], object]) -> int:
+    """Run a command and return its exit code; errors are printed in one line, never as a traceback.
 
     The only place beside the batch and the window that catches everything.
     """
@@ -135,22 +135,22 @@ def ended(work: Callable[[], object]) -> int:
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except ClonerError as error:
-        return _said(str(error), EXIT_INPUT)
+        return _print_error(str(error), EXIT_INPUT)
     except (Cancelled, KeyboardInterrupt, typer.Abort):
-        return _said("stopped; nothing half-written was left", EXIT_CANCELLED)
+        return _print_error("stopped; nothing half-written was left", EXIT_CANCELLED)
     except typer.TyperException as error:  # a wrong option or argument
-        return _said(error.format_message(), error.exit_code)
+        return _print_error(error.format_message(), error.exit_code)
     except BrokenPipeError:  # the reader of our output, say "head", has seen enough
-        _to_nowhere()
+        _discard_stdout()
         return 0
     except Exception as error:
         log.info("the command failed", exc_info=True)
         mendable = isinstance(error, OSError) or out_of_memory(error)
-        return _said(sentence_of(error), EXIT_INPUT if mendable else EXIT_DEFECT)
+        return _print_error(sentence_of(error), EXIT_INPUT if mendable else EXIT_DEFECT)
 
 
-def _to_nowhere() -> None:
-    """Let nothing more be written to standard output: Python would fail over it once more when it ends."""
+def _discard_stdout() -> None:
+    """Discard further standard output, as Python would fail over it at exit."""
     with contextlib.suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
@@ -162,24 +162,26 @@ def split_formats(text: str) -> tuple[str, ...]:
 
 
 def sentence_of(error: BaseException) -> str:
-    """Return what to say of an error that nobody expected."""
+    """Return the message for an unexpected error."""
     if out_of_memory(error):
         return "there is not enough memory. Close other programs, or ask for a smaller --size"
     if isinstance(error, OSError):
-        where = plain(Path(os.fsdecode(error.filename)).name) if isinstance(error.filename, str | bytes) else "system"
+        where = (
+            printable(Path(os.fsdecode(error.filename)).name) if isinstance(error.filename, str | bytes) else "system"
+        )
         return f"{where}: {error.strerror or 'it cannot be used'}. {_HINTS.get(error.errno or 0, _CHECK)}"
     return f"a defect of Cloner ({type(error).__name__}). Run it again with --verbose and report what it says"
 
 
 def out_of_memory(error: BaseException) -> bool:
-    """Return whether an error means that the memory is at its end, whichever library says so."""
+    """Return whether an error means that memory is exhausted, whichever library raised it."""
     if isinstance(error, MemoryError) or (isinstance(error, OSError) and error.errno == errno.ENOMEM):
         return True
     may = isinstance(error, RuntimeError | ImportError | SystemError) or type(error).__module__ == "cv2"
     return may and any(words in str(error) for words in _NO_MEMORY)
 
 
-def _said(text: str, code: int) -> int:
+def _print_error(text: str, code: int) -> int:
     _to_nowhere_if_full()
     sys.stderr.write(f"cloner: {text}\n")
     sys.stderr.flush()
@@ -190,4 +192,4 @@ def _to_nowhere_if_full() -> None:
     try:
         sys.stdout.flush()
     except (OSError, ValueError, AttributeError):
-        _to_nowhere()
+        _discard_stdout()

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.feet import Feet, Motions, footings_of
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 
 
@@ -33,7 +33,7 @@ class Track:
         return min(max(int(np.searchsorted(self.times_s, now + 1e-9, side="right")) - 1, 0), len(self.times_s) - 1)
 
 
-def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = quiet) -> list[NDArray[np.float32]]:
+def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = no_progress) -> list[NDArray[np.float32]]:
     """Return everybody's footings, each (m, COLUMNS); who has no more track has gone."""
     frames, people = max(len(one.places_m) for one in tracks), len(tracks)
     place, facing = np.zeros((frames, people, 2)), np.zeros((frames, people, 2))

@@ -26,8 +26,8 @@ from cloner.crowd.packs.reading import casting_from, checked, read_facts, read_s
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
-from cloner.outside import open_outside
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
+from cloner.untrusted import open_untrusted
 
 #: A thousand take .4 ms of a page's frame (`docs/behaviour.md`); taste.
 MOST_PEOPLE: Final = 5_000
@@ -56,7 +56,7 @@ class SpokenParts:
 
 def bake_file(
     source: Path, pack: Path, out: Path, *, seconds: float = 60.0, seed: int = 0, room: RoomParts | None = None,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> list[str]:  # fmt: skip
     """Write a pack whose clones act what a file of trajectories, or a scenario, tells; return what to say of it.
 
@@ -187,7 +187,7 @@ def things_of(source: Path) -> tuple[str, ...]:
 
 def _holds_trajectories(source: Path) -> bool:
     try:
-        with open_outside(source) as stream:
+        with open_untrusted(source) as stream:
             return stream.read(len(MAGIC)) == MAGIC
     except OSError as error:
         hint = "Give what cloner crowd run wrote, or a scenario"
@@ -206,7 +206,7 @@ def _walked(source: Path, seconds: float, seed: int, progress: Progress) -> tupl
 
 
 def acted_by(
-    walk: Trajectories, pack: Path, facts: dict[str, Any], progress: Progress = quiet
+    walk: Trajectories, pack: Path, facts: dict[str, Any], progress: Progress = no_progress
 ) -> tuple[Acted, list[str]]:
     """Return trajectories as footings of a pack's clones, and what to say of them."""
     held = read_stock(pack, facts)

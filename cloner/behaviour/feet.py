@@ -16,7 +16,7 @@ from cloner.behaviour.core.host import Core
 from cloner.behaviour.dice import Indices
 from cloner.behaviour.ground import Mask
 from cloner.behaviour.walking import RATE_HZ
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 
 #: So far beyond a footing's begin the track is looked at, seconds: the pace's .9, and the second after it.
@@ -94,7 +94,7 @@ class Motions:
     walks: Indices
 
 
-def footings_of(done: Motions, feet: Feet, progress: Progress = quiet) -> list[Rows]:
+def footings_of(done: Motions, feet: Feet, progress: Progress = no_progress) -> list[Rows]:
     """Return everybody's footings of what was done, each (m, 13) float32, from the first frame to the last."""
     frames, people = done.present.shape
     kinds = feet.clips.shape[1]

@@ -21,7 +21,7 @@ from typing import Any, Final
 from cloner.behaviour.loop import guide, run
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 
 log = logging.getLogger(__name__)
 
@@ -152,7 +152,7 @@ def _answer(world: World, message: dict[str, Any]) -> dict[str, Any]:
         return at | _seen(world)
     if message.get("do") == "end":
         return at | {"ended": True}
-    return at | {"error": f"{plain(str(message.get('do')))} is nothing that can be done. Say order, look or end"}
+    return at | {"error": f"{printable(str(message.get('do')))} is nothing that can be done. Say order, look or end"}
 
 
 def _seen(world: World) -> dict[str, Any]:

@@ -28,7 +28,7 @@ from cloner.behaviour.model import (
     Who,
 )  # fmt: skip
 from cloner.errors import ClonerError
-from cloner.outside import text_outside
+from cloner.untrusted import read_untrusted_text
 
 LARGEST_BYTES: Final = 1_000_000  # taste: a hundred times what a person types
 _MOST_EXPECTED: Final = 6  # more words than this say less
@@ -285,7 +285,7 @@ def scenario_text(path: Path) -> str:
     ClonerError
         If it cannot be read, is too large or no text.
     """
-    return text_outside(path, "the scenario", "Give a text file, such as samples/museum.crowd", LARGEST_BYTES)
+    return read_untrusted_text(path, "the scenario", "Give a text file, such as samples/museum.crowd", LARGEST_BYTES)
 
 
 def read_actions(text: str, scenario: Scenario, where: str = "order") -> tuple[Action, ...]:

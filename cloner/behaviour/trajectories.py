@@ -20,8 +20,8 @@ from cloner.behaviour.model import XY
 from cloner.behaviour.walking import RATE_HZ, STEP_S
 from cloner.behaviour.world import World
 from cloner.errors import ClonerError
-from cloner.outside import UnfitFile, read_outside
 from cloner.records.arrays import Array
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 MAGIC: Final = b"CLNRWLK1"
 #: Files hold `RATE_HZ` places a second, in such metres: 10.2 bytes a person and second, 1 mm off (walkers §2).
@@ -218,8 +218,8 @@ def read_trajectories(path: Path) -> Trajectories:
         If it is none, or damaged.
     """
     try:
-        return unpack(read_outside(path, LARGEST_BYTES))
-    except UnfitFile as error:
+        return unpack(read_untrusted(path, LARGEST_BYTES))
+    except UnsuitableFile as error:
         raise ClonerError(f"the trajectories cannot be read: {error.strerror}", _AGAIN, path.name) from error
     except (OSError, ValueError) as error:
         raise ClonerError(f"these are no trajectories: {error}", _AGAIN, path.name) from error

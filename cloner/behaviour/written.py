@@ -19,7 +19,7 @@ from cloner.behaviour.walking import RATE_HZ
 from cloner.behaviour.world import World, world_of
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import safe_output
 from cloner.vision.photographs.films import FORMATS, write_film
 
@@ -70,7 +70,7 @@ def _check_ways(world: World, where: str) -> None:
 
 def run_file(
     path: Path, out: Path, *, seconds: float, seed: int = 0, picture: Path | None = None, film: Path | None = None,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> list[str]:  # fmt: skip
     """Run a scenario, write trajectories, and if asked a still of the end or a film; return what to say of it.
 
@@ -137,7 +137,7 @@ def _ready(path: Path, out: Path, seconds: float, seed: int) -> World:
     return world
 
 
-def recorded(world: World, seconds: float, progress: Progress = quiet) -> Trajectories:
+def recorded(world: World, seconds: float, progress: Progress = no_progress) -> Trajectories:
     """Return what happens in a world in some seconds."""
     recorder = Recorder()
     recorder.look(world)

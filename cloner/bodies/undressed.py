@@ -20,8 +20,8 @@ from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
-from cloner.picture import clone_of, folder_name
-from cloner.pipeline import Progress, quiet
+from cloner.picture import folder_name, load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
 from cloner.records.bodies import BodyMesh
@@ -43,7 +43,7 @@ def undress_folder(
     *,
     sex: str = "",
     formats: Sequence[str],
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> Path:
     """Write a clone without its clothes as a result of its own, which belongs to the same visitor; return its folder.
 
@@ -71,7 +71,7 @@ def undress_folder(
     if sex not in ("", *SEXES):
         raise ClonerError(f"the sex {sex!r} is not known", "Give --sex f or --sex m, or leave it out", "--sex")
     progress("body", 0.0)
-    clone = clone_of(clone_path)
+    clone = load_clone_at(clone_path)
     sex = sex or sex_of(clone)
     name = safe_identifier(identifier or f"{folder_name(clone_path)}-undressed")
     with result_folder(out, name) as folder:

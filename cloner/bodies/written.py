@@ -17,8 +17,8 @@ from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.tape import load_tape_rules
 from cloner.making import check_texture_size
-from cloner.picture import clone_of
-from cloner.pipeline import Progress, quiet
+from cloner.picture import load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
 from cloner.project.results import RESULT_MARK
@@ -41,7 +41,7 @@ def body_folder(
     texture_size: int,
     age_years: float = USUAL_AGE,
     source: Path | None = None,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> tuple[Path, tuple[str, ...]]:
     """Make a body of told measures, or tell a clone new ones, and write it; return its folder and what to say of it.
 
@@ -77,7 +77,7 @@ def body_folder(
     if stature_cm is None and source is None:
         raise ClonerError("the stature is missing", "Give --stature and as many measures as you know", "--stature")
     progress("body", 0.0)
-    old = clone_of(source) if source is not None else None
+    old = load_clone_at(source) if source is not None else None
     told = _told(sex, stature_cm, measures_cm, age_years, old)
     with result_folder(out, safe_identifier(identifier)) as folder:
         clone = clone_of_measures(told, texture_size) if old is None else remeasured_clone(old, told)

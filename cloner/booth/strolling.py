@@ -65,7 +65,7 @@ def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[st
     from cloner.generic.layers import clone_layers
     from cloner.geometry.cameras.viewpoints import framing_camera
     from cloner.motion.moves.own import own_motions
-    from cloner.render import cut_out
+    from cloner.render import draw_rgba
 
     motion = own_motions(clone)[0]
     frames = np.linspace(0, len(motion.times_s) - 1, FRAMES, endpoint=False).round().astype(int)
@@ -75,7 +75,7 @@ def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[st
     sides = []
     for number, layers in enumerate(posed):
         progress("previews", number / FRAMES)
-        sides.append(cut_out(layers, camera, supersample=2))
+        sides.append(draw_rgba(layers, camera, supersample=2))
     below = np.array([[0.0, points[:, 1].min(), 0.0]])
     facts = {
         PACE: motion.speed_m_s * float(np.sin(np.radians(AZIMUTH_DEG))),

@@ -31,7 +31,7 @@ from cloner.motion.captures.retarget import retarget
 from cloner.motion.limbs.body import body_of
 from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.own import own_motions
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -113,7 +113,7 @@ def dressed(
     under: Dressed | None = None,
     elements: bool = False,
     resumed: Path | None = None,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> Dressed:
     """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
     made = Dressing(
@@ -168,14 +168,14 @@ class Dressing:
             self._frames, state = kept(resumed, self._key) or ([], None)
         self._moving = simulate(self.worn, cycles, len(self._frames), state)
 
-    def hung(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> None:
+    def hung(self, watch: Watch = unwatched, *, progress: Progress = no_progress) -> None:
         """Let the garment hang on the clone at rest; ``watch`` sees every frame."""
         while len(self._frames) < SETTLE:
             places = self._next()
             watch(self.with_below(places, len(self._frames) - 1), np.zeros(3), np.zeros_like(self.worn.rotations[0]))
             progress("sew", len(self._frames) / SETTLE)
 
-    def walked(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> Dressed:
+    def walked(self, watch: Watch = unwatched, *, progress: Progress = no_progress) -> Dressed:
         """Walk with it until a loop is found; ``watch`` sees every frame, once it walks."""
         self.hung(progress=lambda _, __: progress("cloth", 0.0))
         put, count = SETTLE + BLEND - 1, len(self.worn.rotations)

@@ -31,13 +31,13 @@ from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import dense_weights, strongest_weights
-from cloner.outside import read_outside, text_outside
-from cloner.picture import clone_of
-from cloner.pipeline import Progress, quiet
+from cloner.picture import load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 from cloner.records.meshes import Mesh
+from cloner.untrusted import read_untrusted, read_untrusted_text
 
 Ints = NDArray[np.int64]
 
@@ -84,7 +84,7 @@ class Fitted:
 
 
 def fit_folder(
-    clone_path: Path, garment: Path, out: Path, *, formats: Sequence[str], progress: Progress = quiet
+    clone_path: Path, garment: Path, out: Path, *, formats: Sequence[str], progress: Progress = no_progress
 ) -> tuple[str, ...]:
     """Write a clone in a garment of the user's own as a result; return what to say of it.
 
@@ -111,7 +111,7 @@ def fit_folder(
         )
     check_folder(out, clone_path, formats)
     progress("body", 0.0)
-    clone, found = clone_of(clone_path), read_fitted(garment)
+    clone, found = load_clone_at(clone_path), read_fitted(garment)
     shell = fitted_shell(clone, found)
     worn = replace(clone, shells=(*(one for one in clone.shells if one.kind != SHELL), _together(clone, shell)))
     progress("export", 0.5)
@@ -131,7 +131,7 @@ def read_fitted(path: Path) -> Fitted:
     told: dict[str, list[str]] = {}
     rows: list[list[str]] = []
     inside = False
-    for line in text_outside(path, "the garment", _HINT, LARGEST_BYTES, errors="replace").splitlines():
+    for line in read_untrusted_text(path, "the garment", _HINT, LARGEST_BYTES, errors="replace").splitlines():
         words = line.split()
         if not words or words[0].startswith("#"):
             continue
@@ -175,7 +175,7 @@ def _picture(path: Path, told: dict[str, list[str]]) -> NDArray[np.uint8]:
     """Return the garment's picture, plain grey where its material names none that is there."""
     material = path.with_name(Path(told["material"][0]).name) if told.get("material") else None
     if material is not None and material.is_file():
-        for line in text_outside(material, "the material", _HINT, LARGEST_BYTES, errors="replace").splitlines():
+        for line in read_untrusted_text(material, "the material", _HINT, LARGEST_BYTES, errors="replace").splitlines():
             words = line.split()
             if len(words) == 2 and words[0] == "diffuseTexture":
                 return _decoded(_beside(path.with_name(Path(words[1]).name), path))
@@ -184,7 +184,7 @@ def _picture(path: Path, told: dict[str, list[str]]) -> NDArray[np.uint8]:
 
 def _decoded(file: Path) -> NDArray[np.uint8]:
     try:
-        with Image.open(io.BytesIO(read_outside(file, LARGEST_BYTES))) as picture:
+        with Image.open(io.BytesIO(read_untrusted(file, LARGEST_BYTES))) as picture:
             if picture.width * picture.height > MOST_PIXELS:
                 raise ValueError("too many pixels")
             rgba = np.asarray(picture.convert("RGBA"))

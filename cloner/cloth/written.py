@@ -22,8 +22,8 @@ from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
 from cloner.exporters.vat import PICTURE, REMAP, check_count
 from cloner.motion.limbs.rig import centre_joints
-from cloner.picture import clone_of
-from cloner.pipeline import Progress, quiet
+from cloner.picture import load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import appears, safe_output
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -59,7 +59,7 @@ def dress_file(
     elements: bool = False,
     resume: bool = False,
     formats: Sequence[str] = (),
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> tuple[str, ...]:
     """Put a garment on a clone, let it walk, and write the loop; return what to say of it.
 
@@ -91,7 +91,7 @@ def dress_file(
     else:
         check_folder(out, clone_path, formats)
     fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
-    clone = centre_joints(plain := clone_of(clone_path))
+    clone = centre_joints(plain := load_clone_at(clone_path))
     cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
     if out.suffix.lower() == PICTURE:
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)

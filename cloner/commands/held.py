@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 from cloner.terminal import EXIT_SOME_FAILED
 
 PhotosRootOption = Annotated[
@@ -59,6 +59,6 @@ def forget_some(
         left += found
         typer.echo(f"{holding.identifier}: {'not all is gone' if found else f'{holding.files} files deleted'}")
     if left:
-        told = ", ".join(plain(one) for one in sorted(set(left)))
+        told = ", ".join(printable(one) for one in sorted(set(left)))
         typer.echo(f"still there, or telling of them: {told}", err=True)
         raise typer.Exit(EXIT_SOME_FAILED)

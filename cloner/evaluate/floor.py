@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from cloner.abreast import abreast
 from cloner.detectors.face.frontal import frontal_face
 from cloner.detectors.table import DETECTORS
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.generic.surfaces import load_surfaces
+from cloner.parallel import parallel_map
 from cloner.previews import FOLDER
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
@@ -39,7 +39,7 @@ def ask_nets(photos: PhotoSet) -> None:
         DETECTORS.get("pose")(photo.rgb)
         frontal_face(photo)
 
-    for _ in abreast(ask, photos.photos.values()):
+    for _ in parallel_map(ask, photos.photos.values()):
         pass
     DETECTORS.get("let_nets_go")()
 
@@ -58,4 +58,4 @@ def encode_pictures(clone: Clone, folder: Path) -> int:
     kept += [surface.rgba for surface in load_surfaces() if surface.rgba is not None]
     shown = [clone.atlas.rgb, *(np.asarray(Image.open(path)) for path in sorted((folder / FOLDER).glob("*.jpg")))]
     jobs = [*(partial(png_bytes, pixels) for pixels in kept), *(partial(jpeg_bytes, pixels) for pixels in shown)]
-    return sum(abreast(lambda job: len(job()), jobs))
+    return sum(parallel_map(lambda job: len(job()), jobs))

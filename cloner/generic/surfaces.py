@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.caching import cached_per_object
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.toes import closed_toe_normals
 from cloner.geometry.meshes.wedges import split_seams, triangulate, vertex_normals
 from cloner.records.arrays import freeze, is_frozen
-from cloner.remembered import once_each
 
 #: Share of a tooth normal's part along the tooth that is taken away (taste).
 _TOOTH_FRONT: Final = 0.8
@@ -106,7 +106,7 @@ def _normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
     return normals
 
 
-_records_normals = once_each(_normals)
+_records_normals = cached_per_object(_normals)
 
 
 def surfaces(generic: GenericHuman) -> tuple[Surface, ...]:

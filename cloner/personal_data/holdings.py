@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Final
 
 from cloner.crowd.packs.held import folders_of, people_in_packs
-from cloner.errors import ClonerError, plain
-from cloner.outside import below
+from cloner.errors import ClonerError, printable
 from cloner.project.atomic import rests
 from cloner.project.claims import claimants
 from cloner.project.folder import SUFFIXES, read_consent, safe_identifier
 from cloner.project.manifest import DEEPEST, photo_folders
 from cloner.project.results import RESULT_MARK, Manifest, file_digest, place_digest, read_manifest
+from cloner.untrusted import walk_files
 
 #: Seconds of a day.
 _DAY_S: Final = 86_400.0
@@ -195,14 +195,14 @@ def _counted(name: str, names: Iterable[str], folders: Sequence[Sequence[Path]])
 
 def _consent(photos: Path) -> str:
     try:
-        return plain(read_consent(photos))
+        return printable(read_consent(photos))
     except ClonerError as error:  # who is held must be told even where a file is broken
         return f"unreadable: {error.message}"
 
 
 def _files_of(folder: Path, apart: Sequence[Path]) -> list[Path]:
     """Return the files below a folder but not below those apart, links left out; the folder itself may be apart's."""
-    found = [path for path in below(folder) if path.is_file() and not path.is_symlink()]
+    found = [path for path in walk_files(folder) if path.is_file() and not path.is_symlink()]
     others = [one for one in apart if _lies_in(one, folder) and one.resolve() != folder.resolve()]
     return [path for path in found if not any(_lies_in(path, one) for one in others)]
 

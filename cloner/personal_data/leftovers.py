@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import BinaryIO, Final
 from urllib.parse import quote
 
-from cloner.outside import open_outside
 from cloner.project.archives import BROKEN
 from cloner.project.results import RESULT_MARK, read_manifest
+from cloner.untrusted import open_untrusted
 
 SHORTEST_NAME: Final = 3  # letters; shorter ones stand in every file
 #: Files in which a name is a name; elsewhere the same letters stand by chance.
@@ -121,7 +121,7 @@ def tells(path: Path, traces: Traces) -> bool:
     if _named_after(path.name, traces.names):
         return True
     try:
-        with open_outside(path) as stream:
+        with open_untrusted(path) as stream:
             size = os.fstat(stream.fileno()).st_size
             return _content_tells(stream, path.suffix.lower(), size, traces) or _pack_tells(stream, traces)
     except OSError:

@@ -22,7 +22,6 @@ from typing import Any, Final
 
 from cloner.crowd.packs.held import films_below, pack_of
 from cloner.errors import ClonerError
-from cloner.outside import below, read_outside
 from cloner.personal_data.holdings import Holding, photo_digests
 from cloner.personal_data.leftovers import Traces, left_of
 from cloner.project.atomic import in_place_of, interrupted, safe_output
@@ -34,6 +33,7 @@ from cloner.project.stamps import photos_token
 from cloner.project.texts import LARGEST_BYTES
 from cloner.records.batches import BatchRow
 from cloner.report.batch import write_summary
+from cloner.untrusted import read_untrusted, walk_files
 
 _FORGOTTEN: Final = ".forgotten-"
 _ASIDE: Final = re.compile(r"\.forgotten-\d+-\d+")
@@ -118,7 +118,7 @@ def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> Iterat
 
 def _delete_rests(roots: Sequence[Path]) -> Iterator[str]:
     """Delete what killed deletions left; yield what stays."""
-    for path in [path for root in roots for path in below(root)]:
+    for path in [path for root in roots for path in walk_files(root)]:
         if _ASIDE.fullmatch(path.name):
             yield from _remove(path)
 
@@ -235,7 +235,7 @@ def _forget_rows(out: Path, names: Iterable[str]) -> Iterator[str]:
     gone = set(names)
     for path in out.glob(_SUMMARIES):
         try:
-            told: dict[str, Any] = json.loads(read_outside(path, LARGEST_BYTES))
+            told: dict[str, Any] = json.loads(read_untrusted(path, LARGEST_BYTES))
             rows = [BatchRow(**row) for row in told["rows"]]
         except (OSError, ValueError, LookupError, TypeError):
             continue  # no summary of ours; the search afterwards tells whether it speaks of the visitor

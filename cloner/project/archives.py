@@ -16,7 +16,7 @@ from typing import Any, BinaryIO, Final
 import numpy as np
 from PIL import Image
 
-from cloner.outside import open_outside
+from cloner.untrusted import open_untrusted
 
 #: What numpy, zipfile, zlib and pillow raise over files that are none of ours, damaged, or made to hurt.
 BROKEN: Final = (
@@ -38,7 +38,7 @@ def opened(path: Path, largest_bytes: int) -> Iterator[Any]:
     One of `BROKEN`
         If it is one of those, no ordinary file, or no archive.
     """
-    with open_outside(path) as stream:
+    with open_untrusted(path) as stream:
         _check_sizes(stream, largest_bytes)
         stream.seek(0)
         with np.load(stream, allow_pickle=False) as archive:

@@ -17,8 +17,8 @@ from typing import Any, Final
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.outside import open_outside
 from cloner.project.texts import read_text
+from cloner.untrusted import open_untrusted
 
 #: The manifest: what a result was made from and the digests of its files.
 RESULT_MARK: Final = "report.json"
@@ -93,7 +93,7 @@ def foreign_files(folder: Path) -> tuple[str, ...]:
 def file_digest(path: Path) -> str:
     """Return the sha256 of a file."""
     digest = hashlib.sha256()
-    with open_outside(path) as stream:
+    with open_untrusted(path) as stream:
         while block := stream.read(_BLOCK):
             digest.update(block)
     return digest.hexdigest()

@@ -13,11 +13,11 @@ from types import MappingProxyType
 from typing import Any
 
 import cloner
-from cloner.outside import read_outside
 from cloner.project import corrections as corrections_json
 from cloner.project.folder import PERSON_FILE, find_photos
 from cloner.project.results import RESULT_MARK, file_digest
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 
 def input_stamp(photos_dir: Path, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -74,7 +74,7 @@ def output_digests(folder: Path, files: Sequence[str]) -> dict[str, str]:
 def why_not_current(result: Path, stamp: Mapping[str, Any]) -> str:
     """Return why a result has to be made again, "" if it is complete, undamaged and of this very input."""
     try:
-        report = json.loads(read_outside(result / RESULT_MARK, LARGEST_BYTES))
+        report = json.loads(read_untrusted(result / RESULT_MARK, LARGEST_BYTES))
         stored, outputs = dict(report["stamp"]), dict(report["outputs"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return "there is no complete result"

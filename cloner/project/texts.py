@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.outside import UnfitFile, read_outside
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 LARGEST_BYTES: Final = 10_000_000  # taste: a thousand times what a person types
 
@@ -56,8 +56,8 @@ def read_text(path: Path) -> str:
     hint = "Check it or move it away"
     check_own(path)
     try:
-        return read_outside(path, LARGEST_BYTES).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
-    except UnfitFile as error:
+        return read_untrusted(path, LARGEST_BYTES).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    except UnsuitableFile as error:
         raise ClonerError(f"this cannot be read: {error.strerror}", hint, path.name) from error
     except (OSError, UnicodeDecodeError) as error:
         raise ClonerError("the file cannot be read as text", hint, path.name) from error

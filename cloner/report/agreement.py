@@ -9,9 +9,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.layers import clone_layers
+from cloner.parallel import parallel_map
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.records.silhouettes import SilhouetteSet
@@ -60,7 +60,7 @@ def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, PhotoAg
         posed, own = shown
         return posed.view, _agreement(clone, posed, own, silhouettes.views[posed.view].mask)
 
-    return dict(abreast(told, drawn()))
+    return dict(parallel_map(told, drawn()))
 
 
 def _agreement(clone: Clone, posed: PosedView, drawn: Mask, seen: Mask) -> PhotoAgreement:

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 from urllib.parse import quote
 
-from cloner.errors import plain
+from cloner.errors import printable
 from cloner.project.atomic import write_text
 from cloner.records.batches import FAILED, BatchRow
 from cloner.report.policy import PAGE, policy
@@ -65,7 +65,7 @@ def _cell(value: object) -> object:
     """Return a value that no spreadsheet takes for a formula or a new row."""
     if not isinstance(value, str):
         return value
-    text = plain(value)
+    text = printable(value)
     return f"'{text}" if text.lstrip()[:1] in tuple("=+-@") else text
 
 

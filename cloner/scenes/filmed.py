@@ -20,7 +20,7 @@ from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.staging import Staging, staging_of
 from cloner.errors import ClonerError
 from cloner.motion.face.sound import wav_bytes
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import appears, result_folder, safe_output
 from cloner.records.arrays import Array
 from cloner.scenes.films.hearing import RATE_HZ, Ear, heard
@@ -41,7 +41,7 @@ DIGITS: Final = 5
 
 
 def film_file(
-    source: Path, room: Path, pack: Path, out: Path | None, page: Path | None, progress: Progress = quiet
+    source: Path, room: Path, pack: Path, out: Path | None, page: Path | None, progress: Progress = no_progress
 ) -> list[str]:
     """Write a film, and a page that plays it; return what to say of it.
 

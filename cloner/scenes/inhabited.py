@@ -20,7 +20,7 @@ from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import meshes_of
 from cloner.scenes.building.looks import sheet_of
@@ -39,7 +39,7 @@ NEVER_S: Final = 1e5
 
 
 def build_folder(
-    folder: Path, walk: Path, pack: Path, out: Path, *, seconds: float, seed: int, progress: Progress = quiet
+    folder: Path, walk: Path, pack: Path, out: Path, *, seconds: float, seed: int, progress: Progress = no_progress
 ) -> list[str]:
     """Write a pack whose clones act in a lit room; return what to say of it.
 

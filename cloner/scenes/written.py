@@ -13,8 +13,7 @@ from cloner.crowd.staged.rooms import Probes
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.motion.face.sound import wav_bytes
-from cloner.outside import UnfitFile, read_outside
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import safe_output
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import meshes_of, room_glb, to_bytes
@@ -26,6 +25,7 @@ from cloner.scenes.building.x3d import room_x3d
 from cloner.scenes.lighting.echoes import EAR_M, RATE_HZ, echo_at
 from cloner.scenes.lighting.light import lit_room
 from cloner.scenes.lighting.probes import probes_of
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
 #: What the page asks for: in colours all light but the sun's own, in alpha how much of the sun is there.
@@ -64,7 +64,7 @@ def make_folder(source: str, out: Path) -> list[str]:
     ]
 
 
-def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
+def light_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
     """Light a folder's room: its file gets light maps, and probes lie beside it; return what to say of it."""
     room = room_in(folder)
     lit = lit_room(room, progress=progress)
@@ -89,7 +89,7 @@ def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
     ]  # fmt: skip
 
 
-def sound_folder(folder: Path, progress: Progress = quiet) -> list[str]:
+def sound_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
     """Work out how a folder's room sounds in the middle of each floor, as WAV files; return what to say of it.
 
     Raises
@@ -115,8 +115,8 @@ def sound_in(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
     largest = int(np.argmax(areas))
     floor = room.plan.floors[largest]
     try:
-        data = read_outside(folder / SOUND_FOLDER / f"floor_{largest + 1}.wav", LARGEST_SOUND_BYTES)
-    except (OSError, UnfitFile):
+        data = read_untrusted(folder / SOUND_FOLDER / f"floor_{largest + 1}.wav", LARGEST_SOUND_BYTES)
+    except (OSError, UnsuitableFile):
         return None
     return data, [floor.low[0], -floor.high[1], floor.high[0], -floor.low[1]]
 
@@ -144,8 +144,8 @@ def light_in(folder: Path) -> tuple[bytes, float, Probes]:
         If there are none, or they are damaged.
     """
     try:
-        picture = read_outside(folder / PARTS_FILE, LARGEST_LIGHT_BYTES)
-        data = read_outside(folder / PROBES_FILE, LARGEST_LIGHT_BYTES)
+        picture = read_untrusted(folder / PARTS_FILE, LARGEST_LIGHT_BYTES)
+        data = read_untrusted(folder / PROBES_FILE, LARGEST_LIGHT_BYTES)
         with np.load(io.BytesIO(data), allow_pickle=False) as held:
             found = {name: np.asarray(held[name], np.float64) for name in _ARRAYS}
         light, sun = found["light"], found["sun"]
@@ -158,7 +158,7 @@ def light_in(folder: Path) -> tuple[bytes, float, Probes]:
             and found["brightest"] > 0.0
         ):
             raise ValueError("probes of odd shapes")
-    except (OSError, UnfitFile, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+    except (OSError, UnsuitableFile, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
         raise ClonerError("the room has no light", "Make it with cloner scene light", folder.name) from error
     step = float(found["step"])
     probes = Probes(found["low"], found["heights"], step, light.astype(np.float32), sun.astype(np.float32))

@@ -8,7 +8,6 @@ from typing import Final, cast
 
 import numpy as np
 
-from cloner.abreast import abreast
 from cloner.body.bone_checks import check_bones
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.body_points import ENDS
@@ -17,6 +16,7 @@ from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.seen_points import combined_pose
+from cloner.parallel import parallel_map
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import (
@@ -172,7 +172,7 @@ def propose_points(
             return body_proposals(proposals)
         return {view: face_proposals(photos.photos[view], proposals.views[view], corrections)}
 
-    *found, body = abreast(propose, [*faces, None])
+    *found, body = parallel_map(propose, [*faces, None])
     face = {view: points for one in found for view, points in one.items()}
     return body, {view: face[view] for view in proposals.views if view in face}
 

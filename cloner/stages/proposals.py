@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from cloner.abreast import in_two_steps
 from cloner.detectors.face.profile_cut import without_wall_before_face
 from cloner.detectors.table import DETECTORS
 from cloner.frames import ViewId
 from cloner.generic.seen_points import ANKLES
 from cloner.labels.states import stands_barefoot
+from cloner.parallel import pipelined
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
@@ -110,7 +110,7 @@ def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:
     def proposal_of(photo: Photo, figure: Figure | NobodySeen) -> Proposal | NobodySeen:
         return figure if isinstance(figure, NobodySeen) else propose_in_figure(photo, figure)
 
-    proposed = in_two_steps(figure_of, proposal_of, photos.photos.values())
+    proposed = pipelined(figure_of, proposal_of, photos.photos.values())
     for view, found in zip(photos.photos, proposed, strict=True):
         if isinstance(found, NobodySeen):
             unseen[view] = found

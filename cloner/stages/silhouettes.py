@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.abreast import abreast
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.seen_points import combined_pose
+from cloner.parallel import parallel_map
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, ViewPoints
@@ -108,7 +108,7 @@ def run(
     def outlined(view: ViewId) -> Silhouette:
         return silhouette(photos.photos[view], proposals.views[view], body_points.views.get(view))
 
-    for view, found in zip(proposals.views, abreast(outlined, proposals.views), strict=True):
+    for view, found in zip(proposals.views, parallel_map(outlined, proposals.views), strict=True):
         views[view] = found
         linked = [source == "edges" for _, source, _ in views[view].sources]
         residuals.append(Residual("outline on edges", 100.0 * float(np.mean(linked or [False])), "percent", view.value))

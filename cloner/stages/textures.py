@@ -14,7 +14,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
@@ -23,7 +22,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.charts.iris import sclera_to_skin, skin_around_eyes
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.memory import give_back
+from cloner.memory import release_free_memory
 from cloner.paint.composing.baked import AtlasInProgress, unpainted_atlas
 from cloner.paint.composing.compose import bake, blend_levels, blend_shares
 from cloner.paint.composing.shell_light import match_light_of_body
@@ -47,6 +46,7 @@ from cloner.paint.lookups.normalised import (
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.rejected import reject_grazing, reject_slanted, reject_wrong_parts
 from cloner.paint.lookups.sources import Source, gather_sources
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
@@ -185,7 +185,7 @@ def paint_atlas(
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in shared.sources], axis=0)
     kinds, worn_rgb = shared.kinds, shared.base[2].astype(np.float64)
     del shared  # its pictures would be the larger part of the memory from here on
-    give_back()
+    release_free_memory()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
     return (
         replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb, joined.vertices_m))),
@@ -252,7 +252,7 @@ def pad_charts(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> NDArray[np
         return (spread_nearest(rgb[part], covered[part]) if covered[part].any() else rgb[part])[tile.inner]
 
     padded = np.empty_like(rgb)
-    for tile, part in zip(tiles, abreast(pad, tiles), strict=True):
+    for tile, part in zip(tiles, parallel_map(pad, tiles), strict=True):
         padded[tile.place] = part
     return padded
 

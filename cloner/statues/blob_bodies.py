@@ -19,8 +19,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
 from cloner.making import check_texture_size
-from cloner.picture import clone_of
-from cloner.pipeline import Progress, quiet
+from cloner.picture import load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import result_folder, safe_output
 from cloner.project.folder import safe_identifier
 from cloner.project.stamps import stamp_text
@@ -74,7 +74,7 @@ def blob_folder(
     material: str = "",
     formats: Sequence[str],
     texture_size: int,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> tuple[Path, tuple[str, ...]]:
     """Make a body of blobs and write it as a result; return its folder and what to say of it.
 
@@ -106,7 +106,7 @@ def blob_folder(
         check_material(material)
     progress("body", 0.0)
     told, name = read_blobs(blobs), safe_identifier(identifier)
-    base = clone_of(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
+    base = load_clone_at(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
     made, found = clone_of_blobs(base, told)
     stamp = base.stamp or stamp_text(0, texture_size)
     made = replace(made, stamp=f"{stamp}, {len(told)} blobs"[:400])
@@ -132,7 +132,7 @@ def blobs_file(clone_path: Path, out: Path) -> str:
         If the clone cannot be read, or the file exists or cannot be written.
     """
     safe_output(out)
-    clone = clone_of(clone_path)
+    clone = load_clone_at(clone_path)
     blobs = usual_blobs(clone.vertices_m, clone.joints_m)
     found = enveloped(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
     moved = np.linalg.norm(found.vertices_m - clone.vertices_m, axis=1)[np.isfinite(found.off_m)]

@@ -22,8 +22,8 @@ from cloner.generic.load import load_generic
 from cloner.head.parts import place_eyes_and_mouth
 from cloner.head.targets import face_targets
 from cloner.making import check_texture_size
-from cloner.picture import clone_of
-from cloner.pipeline import Progress, quiet
+from cloner.picture import load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import result_folder
 from cloner.project.folder import read_consent, read_terms, safe_identifier
 from cloner.project.results import place_digest
@@ -95,7 +95,7 @@ def photo_folder(
     material: str = "",
     formats: Sequence[str],
     texture_size: int,
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> tuple[Path, tuple[str, ...]]:
     """Lay a photo on a clone or a mesh and write it; return its folder and what to say of it.
 
@@ -129,7 +129,7 @@ def photo_folder(
     progress("photos", 0.0)
     told, picture, name = read_markers(markers), read_picture(photo), safe_identifier(identifier)
     source = None if foreign else onto
-    clone = None if foreign else clone_of(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
+    clone = None if foreign else load_clone_at(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
     mesh = mesh_of(clone) if clone is not None else read_obj(Path(str(onto)))
     progress("textures", 0.2)
     fitted = _fitted(mesh, told.vertices(named=not foreign), _at_size(told.px, picture), picture, texture_size)

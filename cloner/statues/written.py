@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cloner.exporters.table import check_formats
-from cloner.picture import clone_of, folder_name
-from cloner.pipeline import Progress, quiet
+from cloner.picture import folder_name, load_clone_at
+from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
 from cloner.report.derived import make_manifest, write_result
@@ -23,7 +23,7 @@ def statue_folder(
     material: str,
     pose: str = REST,
     formats: Sequence[str],
-    progress: Progress = quiet,
+    progress: Progress = no_progress,
 ) -> Path:
     """Write a clone as a statue, a result of its own that belongs to the same visitor; return its folder.
 
@@ -53,7 +53,7 @@ def statue_folder(
     check_material(material)
     check_pose(pose)
     progress("textures", 0.0)
-    clone = clone_of(clone_path)
+    clone = load_clone_at(clone_path)
     name = safe_identifier(identifier or f"{folder_name(clone_path)}-{material}")
     with result_folder(out, name) as folder:
         statue = standing(statue_of(clone, material), pose)

@@ -41,7 +41,7 @@ from cloner.crowd.packs.reading import casting_from, read_facts
 from cloner.crowd.staged.looks import casting_of
 from cloner.crowd.staged.looks import read_looks as read_dyes
 from cloner.crowd.staged.scene import scene_of
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -434,5 +434,5 @@ def check(name: str, data: bytes, folder: Path) -> None:
     except ClonerError as error:
         if not (error.message and error.hint and error.where) or str(folder) in str(error):
             raise AssertionError(f"no proper sentence: {error}") from error
-        if plain(error.message) != error.message:
+        if printable(error.message) != error.message:
             raise AssertionError("a sentence that a terminal would obey") from error

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 from cloner.frames import ViewId
 from cloner.project import corrections
 from cloner.project.folder import LONGEST_IDENTIFIER, safe_identifier
@@ -105,4 +105,4 @@ def test_sentences_are_one_short_plain_line(text: str) -> None:
     error = ClonerError(text, text, text)
     assert str(error).isprintable() or not text
     assert len(str(error)) < 1300
-    assert plain(plain(text)) == plain(text)
+    assert printable(printable(text)) == printable(text)

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from cloner.bodies.ruler import read
 from cloner.bodies.telling import Told
 from cloner.generic.tape import load_tape_rules
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.regions import REGIONS
 from cloner_gui.studio.bodies import CLONE, NINE, BodiesWindow
 from cloner_gui.studio.measure_row import STATURE
@@ -105,7 +105,7 @@ def test_a_body_is_saved_like_any_clone(bodies, qtbot, monkeypatch, tmp_path):
     bodies.name_field.setText("eva")
     qtbot.mouseClick(bodies.save_button, Qt.MouseButton.LeftButton)
     rested(qtbot, bodies)
-    clone = clone_of(tmp_path / "all" / "eva")
+    clone = load_clone_at(tmp_path / "all" / "eva")
     assert clone.stature_m == pytest.approx(1.71)
     assert girth(clone, "hip_girth") == pytest.approx(1040.0, abs=1.0)
     assert (tmp_path / "all" / "eva" / "clone.glb").is_file()
@@ -114,7 +114,7 @@ def test_a_body_is_saved_like_any_clone(bodies, qtbot, monkeypatch, tmp_path):
 
 def test_a_clone_that_is_told_new_measures_lies_beside_the_old_one(bodies, qtbot, tmp_path):
     folder = tape_clone(tmp_path / "clones" / "tom", Told("m", 1.8, {}))
-    clone = clone_of(folder)
+    clone = load_clone_at(folder)
     rested(qtbot, bodies)
     bodies.kind.setCurrentIndex(bodies.kind.findData(CLONE))
     bodies.kind.activated.emit(2)
@@ -126,6 +126,6 @@ def test_a_clone_that_is_told_new_measures_lies_beside_the_old_one(bodies, qtbot
     rested(qtbot, bodies)
     qtbot.mouseClick(bodies.save_button, Qt.MouseButton.LeftButton)
     rested(qtbot, bodies)
-    slim = clone_of(tmp_path / "clones" / "tom-2")
+    slim = load_clone_at(tmp_path / "clones" / "tom-2")
     assert slim.measures_mm["waist_girth"] == pytest.approx(10.0 * (waist - 6.0), abs=1.5)
     assert slim.stature_m == pytest.approx(1.8, abs=1e-3)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from cloner.bodies.telling import Told
 from cloner.booth.studio.carving import MARKED
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.statues.markers import known_points
 from cloner_gui.studio.blob_scene import blob_meshes
 from cloner_gui.studio.blobs import BlobsWindow
@@ -49,7 +49,7 @@ def test_a_clone_is_cut_from_bronze_and_lies_beside_it(booth, qtbot, tom):
     assert colours[0] > colours[2] + 10, "bronze is brown"
     press(qtbot, window.save_button)
     rested(qtbot, window)
-    statue = clone_of(tom.parent / "tom-bronze")
+    statue = load_clone_at(tom.parent / "tom-bronze")
     assert statue.atlas.shine.size
     assert "tom-bronze" in window.written.text()
     window.close()
@@ -115,7 +115,7 @@ def test_the_photo_is_painted_all_round_and_saved(laid, qtbot, monkeypatch, tmp_
     press(qtbot, laid.save_button)
     rested(qtbot, laid)
     assert not laid.notice.messages
-    clone = clone_of(tmp_path / "all" / "soldier")
+    clone = load_clone_at(tmp_path / "all" / "soldier")
     assert clone.atlas.shine.size
     report = json.loads((tmp_path / "all" / "soldier" / "report.json").read_text())
     assert report["kind"] == "photo on a mesh"
@@ -214,4 +214,4 @@ def test_blobs_are_opened_saved_and_become_a_statue(blobs, qtbot, monkeypatch, t
     blobs.name_field.setText("guard")
     press(qtbot, blobs.save_button)
     laid_on(qtbot, blobs)
-    assert clone_of(tmp_path / "all" / "guard").atlas.shine.size
+    assert load_clone_at(tmp_path / "all" / "guard").atlas.shine.size

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.gui
 #: What no operator of the window can meet: other ways in, files that people write by hand, and motion files.
 ELSEWHERE = (
     "cloner/animating.py", "cloner/batch.py", "cloner/cli.py", "cloner/commands/", "cloner/evaluate/",
-    "cloner/machines/farm.py", "cloner/machines/cluster", "cloner/behaviour/", "cloner/crowd/", "cloner/outside.py",
+    "cloner/machines/farm.py", "cloner/machines/cluster", "cloner/behaviour/", "cloner/crowd/", "cloner/untrusted.py",
     "cloner/acting/", "cloner/scenes/", "cloner/exporters/vat.py",
     "cloner/cloth/simulation/fabrics.py", "cloner/cloth/fitted.py", "cloner/project/flow_file.py",
     "cloner/statues/carved.py", "cloner/statues/clay_heads.py", "cloner/statues/markers.py",

@@ -12,8 +12,8 @@ from PySide6.QtCore import Qt
 
 from cloner.booth.visitors.visits import State, read_visit
 from cloner.frames import ViewId
-from cloner.outside import below
 from cloner.project.folder import read_corrections
+from cloner.untrusted import walk_files
 from cloner_gui.event.services import process_services
 from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
@@ -97,6 +97,6 @@ def test_from_an_empty_event_to_nothing(qtbot, samples, tmp_path, name, monkeypa
     again.takeaway.forget_button.click()
     next(one for one in _box(again).buttons() if "Delete" in one.text()).click()
     qtbot.waitUntil(lambda: not folder.exists())
-    left = lambda: [path.name for path in below(root) if path.is_file()]  # noqa: E731
+    left = lambda: [path.name for path in walk_files(root) if path.is_file()]  # noqa: E731
     qtbot.waitUntil(lambda: left() == ["event.json"])  # nothing of the visitor is left
     again.close()

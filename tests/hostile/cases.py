@@ -12,7 +12,7 @@ from cloner.motion.face.faps import read_fap
 from cloner.motion.face.sound import read_sound, resampled
 from cloner.motion.face.speech import phoneme_visemes, read_phonemes
 from cloner.personal_data.holdings import holdings
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.corrections import check_against, point_names
 from cloner.project.folder import load_photos, read_corrections, read_person
 from cloner.project.manifest import find_visitors, shard
@@ -90,7 +90,7 @@ READERS: Mapping[str, Callable[[Path], Any]] = {
     "fap": read_fap,
     "wav": lambda path: resampled(*read_sound(path)),
     "phonemes": lambda path: phoneme_visemes(read_phonemes(path)),
-    "clone": clone_of,
+    "clone": load_clone_at,
 }
 
 #: How the command line is given each kind; CLONE stands for a good clone, OUT for a place that is not there yet.

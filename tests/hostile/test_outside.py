@@ -23,10 +23,10 @@ from cloner import animating, cloning, picture
 from cloner.cloning import clone_folder, stamp_options
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.outside import UnfitFile, read_outside
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.results import file_digest
 from cloner.project.stamps import input_stamp, why_not_current
+from cloner.untrusted import UnsuitableFile, read_untrusted
 from cloner.vision.photographs.pictures import read_picture
 from hostile.cases_photos import JPEG
 from kit.clones import toy_clone
@@ -36,14 +36,14 @@ from stages.test_head import fit, photographed, true_person
 def test_only_ordinary_files_of_a_known_size_are_read(tmp_path: Path) -> None:
     (tmp_path / "ten").write_bytes(bytes(10))
     os.mkfifo(tmp_path / "pipe")
-    assert read_outside(tmp_path / "ten", 10) == bytes(10)
-    with pytest.raises(UnfitFile, match="larger"):
-        read_outside(tmp_path / "ten", 9)
+    assert read_untrusted(tmp_path / "ten", 10) == bytes(10)
+    with pytest.raises(UnsuitableFile, match="larger"):
+        read_untrusted(tmp_path / "ten", 9)
     for path in (tmp_path / "pipe", tmp_path, Path("/dev/zero"), Path("/dev/null")):
-        with pytest.raises(UnfitFile, match="ordinary"):
-            read_outside(path, 10)
-    with pytest.raises(UnfitFile, match="called"):
-        read_outside(Path("a\0b"), 10)
+        with pytest.raises(UnsuitableFile, match="ordinary"):
+            read_untrusted(path, 10)
+    with pytest.raises(UnsuitableFile, match="called"):
+        read_untrusted(Path("a\0b"), 10)
 
 
 @pytest.mark.parametrize("suffix", [".bvh", ".amc", ".wav", ".txt", ".fap", ".toml"])
@@ -64,7 +64,7 @@ def test_animate_waits_for_no_pipe_and_reads_no_device(tmp_path: Path, suffix: s
         (tmp_path / "clone.npz").unlink()
         source.rename(tmp_path / "clone.npz")
         with pytest.raises(ClonerError):
-            picture.clone_of(tmp_path / "clone.npz")
+            picture.load_clone_at(tmp_path / "clone.npz")
 
 
 def png_of_zeros(width: int, height: int) -> bytes:

@@ -14,7 +14,7 @@ import pytest
 
 from cloner import cli, terminal
 from cloner.project.clone_file import save_clone
-from cloner.terminal import EXIT_DEFECT, ended, out_of_memory, sentence_of
+from cloner.terminal import EXIT_DEFECT, out_of_memory, run_command, sentence_of
 from hostile.cases_photos import JPEG
 from kit.clones import toy_clone
 
@@ -186,7 +186,7 @@ def test_a_defect_is_called_one(capsys: pytest.CaptureFixture[str]) -> None:
     def broken() -> None:
         raise ZeroDivisionError
 
-    assert ended(broken) == EXIT_DEFECT
+    assert run_command(broken) == EXIT_DEFECT
     assert "a defect of Cloner (ZeroDivisionError)" in capsys.readouterr().err
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
-from cloner.making import with_earlier
+from cloner.making import merge_reports
 from cloner.pipeline import STAGES, StageReport
 
 
@@ -20,12 +20,12 @@ def report(name: str, seconds: float) -> StageReport:
 def test_stages_that_did_not_run_again_are_told_again_at_no_time() -> None:
     earlier = tuple(report(stage.name, 2.0) for stage in STAGES)
     fresh = [report("points", 0.5), report("textures", 1.5)]
-    told = with_earlier(fresh, earlier)
+    told = merge_reports(fresh, earlier)
     assert [one.name for one in told] == [stage.name for stage in STAGES]
     seconds = {one.name: one.seconds for one in told}
     assert (seconds["points"], seconds["textures"], seconds["fine"]) == (0.5, 1.5, 0.0)
     assert all(one.warnings == (f"a word of {one.name}",) for one in told), "warnings are not forgotten"
-    assert with_earlier(fresh, ()) == tuple(fresh)
+    assert merge_reports(fresh, ()) == tuple(fresh)
 
 
 def test_the_library_of_usd_is_loaded_before_threads_begin() -> None:

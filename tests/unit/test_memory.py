@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.memory import give_back
+from cloner.memory import release_free_memory
 
 
 def resident_mib():
@@ -22,7 +22,7 @@ def test_freed_memory_goes_back():
     kept = small[1999]
     full = resident_mib()
     del small
-    give_back()
+    release_free_memory()
     assert resident_mib() < full - 80.0
     assert kept.sum() == 8000
 

@@ -14,7 +14,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.head.jaw import jaw_rotations
-from cloner.previews import evenly_scaled, scaled_camera, write_previews
+from cloner.previews import same_distance, scaled_camera, write_previews
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
@@ -115,7 +115,7 @@ def test_a_strip_shows_every_side_at_one_scale(folder, clone):
 
 def test_evenly_scaled_cameras_keep_their_line_of_sight(clone):
     before = [standard_camera(clone, view, 400, 400) for view in ("front", "left", "back")]
-    after = evenly_scaled(before)
+    after = same_distance(before)
     scales = [camera.metres_per_pixel(np.array([0.0, 0.9, 0.0])) for camera in after]
     assert scales == pytest.approx([max(scales)] * 3, rel=1e-3)
     for old, new in zip(before, after, strict=True):

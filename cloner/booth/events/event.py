@@ -15,11 +15,11 @@ from typing import Any, Final
 from cloner.booth.visitors.mending import mended
 from cloner.booth.visitors.visits import VISIT_FILE, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.folder import holds_photos
 from cloner.project.texts import LARGEST_BYTES, check_format
 from cloner.records.terms import LICENCES
+from cloner.untrusted import read_untrusted
 
 EVENT_FILE: Final = "event.json"
 TRASH: Final = "trash"
@@ -133,7 +133,7 @@ def read_event(folder: Path) -> Event:
     if not path.exists():
         return Event()
     try:
-        told = json.loads(read_outside(path, LARGEST_BYTES))
+        told = json.loads(read_untrusted(path, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError) as error:
         raise ClonerError("the event's settings cannot be read", _HINT, EVENT_FILE) from error
     if not isinstance(told, dict) or "format" not in told:

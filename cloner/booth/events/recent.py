@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Final
 
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 RECENT_FILE: Final = "recent.json"
 MOST: Final = 5  # taste: a booth has one event a day
@@ -20,7 +20,7 @@ MOST: Final = 5  # taste: a booth has one event a day
 def recent_events(file: Path) -> tuple[Path, ...]:
     """Return the events that were open last and are still there, the newest first; none where the file is damaged."""
     try:
-        told = json.loads(read_outside(file, LARGEST_BYTES))
+        told = json.loads(read_untrusted(file, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError):
         return ()
     folders = [one for one in told if isinstance(one, str)] if isinstance(told, list) else []

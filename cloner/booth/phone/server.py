@@ -21,7 +21,7 @@ from cloner.booth.phone.page import page, policy
 from cloner.booth.phone.parcel import FILES, FOLDER
 from cloner.booth.phone.tickets import read_ticket, visitor_of
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
+from cloner.untrusted import read_untrusted
 
 #: Usual second port of web servers, and the largest file that is handed out, bytes (taste).
 PORT: Final = 8080
@@ -191,7 +191,7 @@ class _Handler(BaseHTTPRequestHandler):
         if not file:
             return "text/html; charset=utf-8", page(self._state.language, f"{ticket.expires.astimezone():%d.%m. %H:%M}")
         try:
-            return FILES[file], read_outside(visitor / FOLDER / file, LARGEST_BYTES)
+            return FILES[file], read_untrusted(visitor / FOLDER / file, LARGEST_BYTES)
         except OSError:
             return None
 

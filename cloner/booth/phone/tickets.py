@@ -14,9 +14,9 @@ from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Final
 
-from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 TICKET_FILE: Final = "phone.json"
 #: Bytes of chance in a link: 2**128 tries at a hundred a second outlast the sun.
@@ -41,7 +41,7 @@ class Ticket:
 def read_ticket(folder: Path) -> Ticket | None:
     """Return a visitor's ticket, None where there is none that can be read."""
     try:
-        told = json.loads(read_outside(folder / TICKET_FILE, LARGEST_BYTES))
+        told = json.loads(read_untrusted(folder / TICKET_FILE, LARGEST_BYTES))
         ticket = Ticket(str(told["token"]), datetime.fromisoformat(told["expires"]))
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
-from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.folder import SUFFIXES
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 Sizes = Mapping[Path, int]
 #: In the event's folder while a camera's folder is watched; a window that is closed properly removes it.
@@ -54,7 +54,7 @@ def write_note(root: Path, camera: Path, known: Sizes) -> None:
 def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
     """Return what a window that ended without closing had noted of this folder; None where nothing is."""
     try:
-        told = json.loads(read_outside(root / NOTE_FILE, LARGEST_BYTES))
+        told = json.loads(read_untrusted(root / NOTE_FILE, LARGEST_BYTES))
         if told["folder"] != str(camera):
             return None
         return {camera / name: int(size) for name, size in told["known"].items()}

@@ -10,9 +10,9 @@ from typing import Final
 from cloner.booth.photos.looking_table import Look, Trouble
 from cloner.booth.visitors.kept import WORK
 from cloner.frames import ViewId
-from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 LOOKS_FILE: Final = "looks.json"
 
@@ -20,7 +20,7 @@ LOOKS_FILE: Final = "looks.json"
 def read_looks(folder: Path) -> dict[str, Look]:
     """Return what was found, by digest; what is missing, broken or of an older kind is found again."""
     try:
-        told = json.loads(read_outside(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
+        told = json.loads(read_untrusted(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
         found = [_look(digest, one) for digest, one in told.items()]
     except (OSError, ValueError, AttributeError, RecursionError):
         return {}

@@ -16,7 +16,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import facing_camera
-from cloner.picture import clone_file, clone_of
+from cloner.picture import clone_file, load_clone_at
 from cloner.pipeline import Progress
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photo
@@ -132,7 +132,7 @@ class Carving:
         """Return a clone, the usual man where none is named; the last one is remembered."""
         key = source, 0 if source is None else clone_file(source).stat().st_mtime_ns
         if self._onto is None or self._onto[0] != key:
-            made = clone_of_measures(USUAL, _SHOWN_TEXELS) if source is None else clone_of(source)
+            made = clone_of_measures(USUAL, _SHOWN_TEXELS) if source is None else load_clone_at(source)
             self._onto = key, made
         return self._onto[1]
 

@@ -14,7 +14,7 @@ from cloner.bodies.written import body_folder, sex_of
 from cloner.booth.studio.values import BodyWish, Figure
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
-from cloner.picture import clone_file, clone_of
+from cloner.picture import clone_file, load_clone_at
 from cloner.pipeline import Progress
 from cloner.records.clones import Clone
 
@@ -74,5 +74,5 @@ class Shaping:
     def _of(self, source: Path) -> Clone:
         key = source, clone_file(source).stat().st_mtime_ns
         if self._source is None or self._source[0] != key:
-            self._source = key, clone_of(source)
+            self._source = key, load_clone_at(source)
         return self._source[1]

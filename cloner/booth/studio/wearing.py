@@ -19,7 +19,7 @@ from cloner.cloth.simulation.moving import SETTLE
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.cloth.written import clean_up, write_dressed
 from cloner.motion.limbs.rig import centre_joints
-from cloner.picture import clone_file, clone_of
+from cloner.picture import clone_file, load_clone_at
 from cloner.pipeline import Progress
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -104,7 +104,7 @@ class Wearing:
         key = outfit.clone, outfit.bare, clone_file(outfit.clone).stat().st_mtime_ns
         if self._below is None or self._below[0] != key:
             progress("body", 0.0)
-            clone = clone_of(outfit.clone)
+            clone = load_clone_at(outfit.clone)
             below = undressed_clone(clone, sex_of(clone)) if outfit.bare else clone
             self._below, self._dressing, self._dressed = (key, below, centre_joints(below)), None, {}
         return self._below[1]

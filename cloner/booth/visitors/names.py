@@ -7,9 +7,9 @@ import tomllib
 from pathlib import Path
 
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
 from cloner.project.folder import PERSON_FILE
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 
 def number_of(folder: Path) -> str:
@@ -57,7 +57,7 @@ class KnownNames:
         known = self._known.get(folder)
         if known is None or known[0] != stamp:
             try:
-                text = read_outside(folder / PERSON_FILE, LARGEST_BYTES).decode("utf-8-sig")
+                text = read_untrusted(folder / PERSON_FILE, LARGEST_BYTES).decode("utf-8-sig")
                 told = tomllib.loads(text).get("name", "")
             except (ClonerError, OSError, ValueError, RecursionError):
                 told = ""

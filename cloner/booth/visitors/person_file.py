@@ -14,10 +14,10 @@ from typing import Any, Final
 from cloner.booth.visitors.visits import VISIT_FILE
 from cloner.errors import ClonerError
 from cloner.frames import cm_from_m
-from cloner.outside import below
 from cloner.project.atomic import write_text
 from cloner.project.folder import PERSON_FILE, read_consent, read_person
 from cloner.project.texts import read_text
+from cloner.untrusted import walk_files
 
 #: By definition.
 CENTIMETRES_PER_INCH: Final = 2.54
@@ -124,7 +124,7 @@ def _line(key: str, value: object) -> str:
 
 def is_untouched(folder: Path) -> bool:
     """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
-    files = {path.name for path in below(folder) if path.is_file()}
+    files = {path.name for path in walk_files(folder) if path.is_file()}
     try:
         return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")
     except ClonerError:

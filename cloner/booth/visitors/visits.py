@@ -10,9 +10,9 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Final
 
-from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.texts import LARGEST_BYTES
+from cloner.untrusted import read_untrusted
 
 log = logging.getLogger(__name__)
 
@@ -87,7 +87,7 @@ def read_visit(folder: Path) -> Visit:
     The file is the window's own memory: losing it costs a click, so it never stands in the way of the photos.
     """
     try:
-        told = json.loads(read_outside(folder / VISIT_FILE, LARGEST_BYTES))
+        told = json.loads(read_untrusted(folder / VISIT_FILE, LARGEST_BYTES))
         return Visit(**{key: _KINDS[key](value) for key, value in told.items() if key in _KINDS})
     except FileNotFoundError:
         return Visit()

@@ -12,7 +12,7 @@ from cloner.crowd.packs.files import digest
 from cloner.crowd.packs.reading import LARGEST_FILE_BYTES, casting_from, checked, read_acted, read_facts, read_stock
 from cloner.crowd.staged.scene import ACTED, SCENES, Scene, looks_shown, places, scene_of
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
+from cloner.untrusted import read_untrusted
 
 COUNTED: Final = 1000  # people of whom looks and neighbours are counted
 TIMES_S: Final = (0.0, 3.7, 11.1, 29.3)  # any moments
@@ -33,7 +33,7 @@ def check_pack(pack: Path) -> list[str]:
     for name in facts["files"]:
         size += len(checked(pack, name, facts))
     try:
-        page = read_outside(pack / "player.html", LARGEST_FILE_BYTES)
+        page = read_untrusted(pack / "player.html", LARGEST_FILE_BYTES)
     except OSError as error:
         raise ClonerError("the player is missing", "Make the crowd again with cloner crowd", "player.html") from error
     if digest(page) != facts["player"]["sha256"]:

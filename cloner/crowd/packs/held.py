@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.outside import below, open_outside
+from cloner.untrusted import open_untrusted, walk_files
 
 #: The file that makes a folder a pack.
 MARK: Final = "crowd.json"
@@ -75,7 +75,7 @@ def filmed(people: Iterable[Mapping[str, Any]]) -> str:
 
 def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
     """Yield the films and pictures of packs below a folder that show clones of photos; see `photos_token`."""
-    for path in below(root):
+    for path in walk_files(root):
         if path.suffix.lower() in FILMS and not path.is_symlink() and not tokens.isdisjoint(_filmed_in(path)):
             yield path
 
@@ -83,7 +83,7 @@ def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
 def _filmed_in(path: Path) -> list[str]:
     """Return the tokens that a film or picture tells; none of what cannot be read."""
     try:
-        with open_outside(path) as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        with open_untrusted(path) as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
             found = _TOKENS.search(content)
             return found[1].decode("ascii").split() if found else []
     except (OSError, ValueError):  # an empty file cannot be mapped

@@ -20,8 +20,8 @@ from cloner.crowd.staged.faces import Said, Spoken
 from cloner.crowd.staged.footing import Acted, fits
 from cloner.crowd.staged.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.staged.scene import Casting
-from cloner.errors import ClonerError, plain
-from cloner.outside import read_outside
+from cloner.errors import ClonerError, printable
+from cloner.untrusted import read_untrusted
 
 _AGAIN: Final = "Make the crowd again with cloner crowd"
 #: Twenty clones' description has 60 kB, their largest file 2 MB: a hundred times that is no crowd.
@@ -38,7 +38,7 @@ def read_facts(pack: Path) -> dict[str, Any]:
         If there is no pack, or it is broken or newer than this version.
     """
     try:
-        facts = json.loads(read_outside(pack / MARK, LARGEST_FACTS_BYTES))
+        facts = json.loads(read_untrusted(pack / MARK, LARGEST_FACTS_BYTES))
         if facts["format"] != FORMAT or not isinstance(facts["version"], int):
             raise ValueError("another program's")
     except OSError as error:
@@ -50,7 +50,7 @@ def read_facts(pack: Path) -> dict[str, Any]:
     if facts["version"] < VERSION:
         raise ClonerError("the crowd was made by an older version and cannot be read", _AGAIN, MARK)
     if wrong := why_unfit(facts):
-        raise ClonerError(f"the crowd's description cannot be read: {plain(wrong)} is unfit", _AGAIN, MARK)
+        raise ClonerError(f"the crowd's description cannot be read: {printable(wrong)} is unfit", _AGAIN, MARK)
     return dict(facts)
 
 
@@ -172,7 +172,7 @@ def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
         If it is missing or damaged.
     """
     try:
-        data = read_outside(pack / name, LARGEST_FILE_BYTES)
+        data = read_untrusted(pack / name, LARGEST_FILE_BYTES)
     except OSError as error:
         raise ClonerError("a file of the crowd is missing", _AGAIN, name) from error
     if digest(data) != facts["files"].get(name):

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.caching import cached_per_object
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.profile import front_contour, outline
@@ -20,7 +21,6 @@ from cloner.frames import mm_from_m
 from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.records.arrays import Array
 from cloner.records.points import Proposal
-from cloner.remembered import once_each
 from cloner.vision.contours.snake import normals, sample_along_normals, snake_picture
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
@@ -97,7 +97,7 @@ def pose_hints(proposal: Proposal) -> PoseHints | None:
     return hints if np.linalg.norm(hints.mouth_px - hints.eye_px) >= 3.0 else None
 
 
-@once_each
+@cached_per_object
 def side_face_of(proposal: Proposal) -> SideFace | None:
     """Return the profile of a side photo with the shipped model."""
     return find_side_face(proposal, load_face_net().profile)

@@ -18,6 +18,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.caching import cached_per_object
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import wedge_offsets
@@ -25,7 +26,6 @@ from cloner.generic.surfaces import load_triangles
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.motion.flesh.correctives import CORRECTIVE
 from cloner.records.clones import Clone
-from cloner.remembered import once_each
 
 #: Smaller offsets of a morph target cannot be seen, metres; taste.
 SMALLEST_OFFSET_M: Final = 2e-5
@@ -94,7 +94,7 @@ def _sparse(
     return accessors
 
 
-@once_each
+@cached_per_object
 def normal_turns(clone: Clone) -> Turns:
     """Return for every morph target the vertices (M,) whose normals turn, and the differences (M, 3) of unit normals.
 

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from cloner.caching import cached_per_object
 from cloner.errors import ClonerError
 from cloner.records.arrays import is_frozen
-from cloner.remembered import once_each
 
 JPEG_QUALITY: Final = 92  # taste: no visible blocks on skin, a tenth of the PNG's size
 _PNG: Final = (
@@ -58,7 +58,7 @@ def jpeg_bytes(rgb: NDArray[np.uint8], quality: int = JPEG_QUALITY) -> bytes:
     return _records_jpeg(rgb) if quality == JPEG_QUALITY and is_frozen(rgb) else _jpeg(rgb, quality)
 
 
-@once_each
+@cached_per_object
 def _records_jpeg(rgb: NDArray[np.uint8]) -> bytes:
     return _jpeg(rgb, JPEG_QUALITY)
 
@@ -84,4 +84,4 @@ def _png(pixels: NDArray[np.uint8]) -> bytes:
     return cv2.imencode(".png", swapped, _PNG)[1].tobytes()
 
 
-_records_png = once_each(_png)
+_records_png = cached_per_object(_png)

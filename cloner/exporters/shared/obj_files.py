@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
-from cloner.outside import text_outside
 from cloner.records.arrays import Array
 from cloner.records.meshes import Mesh
+from cloner.untrusted import read_untrusted_text
 
 #: A larger file is no mesh to drag markers on.
 LARGEST_BYTES: Final = 80_000_000
@@ -33,7 +33,7 @@ def read_obj(path: Path) -> Mesh:
     places: list[list[float]] = []
     uv: list[list[float]] = []
     corners: list[tuple[int, int]] = []
-    for row in text_outside(path, "the mesh", _HINT, LARGEST_BYTES, errors="replace").splitlines():
+    for row in read_untrusted_text(path, "the mesh", _HINT, LARGEST_BYTES, errors="replace").splitlines():
         word, _, rest = row.strip().partition(" ")
         try:
             if word == "v":

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
@@ -18,6 +17,7 @@ from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.strands import curliness, grow_strands, roughness
 from cloner.paint.lookups.posed import parents_of
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -102,7 +102,7 @@ def paint_shell(
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     pictures = _pictures(photos, usable)
     shell = (vertices_m, skin_joints, skin_weights, atlas.triangles)
-    sights = list(abreast(lambda view: _visibility(generic, joined, view, *shell), usable))
+    sights = list(parallel_map(lambda view: _visibility(generic, joined, view, *shell), usable))
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
@@ -153,7 +153,7 @@ def _shown(views: Sequence[ShellView]) -> list[tuple[ViewId, bool]]:
 def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> list[NDArray[np.uint8]]:
     """Return the repaired photo of each view; a mirrored view has the same."""
     shown = {view.posed.view: view for view in reversed(views)}
-    repaired = abreast(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
+    repaired = parallel_map(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
     picture_of = dict(zip(shown, repaired, strict=True))
     return [picture_of[view.posed.view] for view in views]
 

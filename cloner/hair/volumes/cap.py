@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.abreast import ABREAST, abreast
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.cameras.visibility import depth_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.tail import Tail
 from cloner.hair.volumes.views import MASK_SCALE, SIDES, HairView, covered_window
+from cloner.parallel import ABREAST, parallel_map
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
@@ -274,7 +274,7 @@ def outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.
     """Return each photo's signed distances (N,) to a surface's outline, mm, and their weights."""
     facing = vertex_normals(surface_m, triangles)
     straight = [view for view in views if view.flip_m is None]
-    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
+    gaps = parallel_map(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
     return [
         (gap, weight * (FACE_PHOTO if view.posed.view.is_face else 1.0))
         for view, (gap, weight) in zip(straight, gaps, strict=True)

@@ -9,7 +9,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
@@ -18,6 +17,7 @@ from cloner.hair.volumes.cap import covered_share
 from cloner.hair.volumes.pictures import body_depth_m, distances_px
 from cloner.hair.volumes.views import HairView, covered_by_surface
 from cloner.paint.details.tucking import covered_ear_shares, ear_masks, press_ears_to_head
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 
@@ -69,6 +69,6 @@ def without_ears(view: HairView, vertices_m: Array, ears: list[NDArray[np.bool_]
 def with_new_depth(generic: GenericHuman, joined: Joined, views: list[HairView]) -> list[HairView]:
     """Return the views with depth pictures of a person whose vertices were moved, in the same poses."""
     straight = [view for view in views if view.flip_m is None]
-    depths = abreast(lambda view: body_depth_m(generic, joined, view.posed, view.clothed), straight)
+    depths = parallel_map(lambda view: body_depth_m(generic, joined, view.posed, view.clothed), straight)
     nearest = {view.posed.view: depth for view, depth in zip(straight, depths, strict=True)}
     return [replace(view, nearest_m=nearest[view.posed.view]) for view in views]

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms
@@ -16,6 +15,7 @@ from cloner.geometry.meshes.rasters import nearest_depth
 from cloner.hair.volumes.pictures import FAR_MM, body_depth_m, clean_hair, distances_px
 from cloner.paint.lookups.posed import parents_of
 from cloner.paint.lookups.prepared import person_mask
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -190,7 +190,7 @@ def hair_views(
         return HairView(posed, transforms, hanger, nearest, *distances_px(hair, person), clothed)
 
     found: list[HairView] = []
-    for one in abreast(seen, [view for view in joined.views if view in proposals.views]):
+    for one in parallel_map(seen, [view for view in joined.views if view in proposals.views]):
         found.append(one)
         if one.posed.view.is_side:
             found.append(replace(one, flip_m=middle))

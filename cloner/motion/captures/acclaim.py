@@ -21,8 +21,8 @@ from scipy.spatial.transform import Rotation
 
 from cloner.errors import ClonerError
 from cloner.motion.captures.bvh import LARGEST_BYTES, MOST_JOINTS, Capture
-from cloner.outside import text_outside
 from cloner.records.arrays import Array
+from cloner.untrusted import read_untrusted_text
 
 #: The files do not tell their rate; the public laboratory's is 120 frames a second.
 FRAME_S: Final = 1.0 / 120.0
@@ -80,7 +80,7 @@ def _skeleton_of(path: Path) -> Path:
 
 
 def _text(path: Path) -> str:
-    return text_outside(path, "the capture", "Give a .amc file with its .asf", LARGEST_BYTES, errors="replace")
+    return read_untrusted_text(path, "the capture", "Give a .amc file with its .asf", LARGEST_BYTES, errors="replace")
 
 
 def parse_acclaim(skeleton: str, motion: str) -> Capture:

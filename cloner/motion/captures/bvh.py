@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion.limbs import turns
-from cloner.outside import text_outside
 from cloner.records.arrays import Array, freeze
+from cloner.untrusted import read_untrusted_text
 
 LARGEST_BYTES: Final = 200_000_000  # taste: an hour of capture at 120 Hz
 #: More is no skeleton but an attack or an error.
@@ -85,7 +85,7 @@ def read_bvh(path: Path) -> Capture:
     ClonerError
         If the file is missing, too large, or no BVH.
     """
-    text = text_outside(path, "the capture", "Give a .bvh file", LARGEST_BYTES, errors="replace")
+    text = read_untrusted_text(path, "the capture", "Give a .bvh file", LARGEST_BYTES, errors="replace")
     try:
         return parse_bvh(text)
     except (ValueError, IndexError) as error:

@@ -23,9 +23,9 @@ from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.motion.face.fap_faces import FULL, LIDS, expression_weights, frame_weights, viseme_weights
-from cloner.outside import text_outside
 from cloner.records.arrays import Array, freeze
 from cloner.records.clones import Clone
+from cloner.untrusted import read_untrusted_text
 
 #: Number of MPEG-4's facial animation parameters.
 COUNT: Final = 68
@@ -183,7 +183,7 @@ def read_fap(path: Path) -> FapStream:
     ClonerError
         If the file is missing, too large or no FAP file.
     """
-    text = text_outside(path, "the FAP file", "Give a .fap file", LARGEST_BYTES, errors="replace")
+    text = read_untrusted_text(path, "the FAP file", "Give a .fap file", LARGEST_BYTES, errors="replace")
     lines = [line for line in text.splitlines() if line.strip()]
     try:
         return _parsed(lines)

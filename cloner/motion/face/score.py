@@ -33,8 +33,8 @@ import numpy as np
 
 from cloner.errors import ClonerError
 from cloner.motion.face.expressions import EXPRESSIONS, Beat, Envelope, play
-from cloner.outside import text_outside
 from cloner.records.arrays import Array
+from cloner.untrusted import read_untrusted_text
 
 FACE_TRACKS: Final = ("eyes", "brows", "mouth", "emotion")
 HEAD: Final = "head"
@@ -146,7 +146,7 @@ def read_score(path: Path, targets: Sequence[str]) -> Score:
     ClonerError
         If the file is missing, no TOML, or names what is not known.
     """
-    text = text_outside(path, "the score", "Give a .toml file", LARGEST_BYTES)
+    text = read_untrusted_text(path, "the score", "Give a .toml file", LARGEST_BYTES)
     try:
         tracks = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # endless numbers and brackets are no TOMLDecodeError

@@ -30,8 +30,8 @@ from scipy.signal import resample_poly
 from cloner.errors import ClonerError
 from cloner.motion.face.speech import LONGEST_S, STEP_S, VISEMES
 from cloner.motion.moves.contact import runs
-from cloner.outside import UnfitFile, read_outside
 from cloner.records.arrays import Array, freeze
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 #: Samples a second, length of a frame, order of the linear prediction and range of voices: usual in the
 #: analysis of speech, not tried against others.
@@ -114,10 +114,10 @@ def read_sound(path: Path) -> tuple[int, Array]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", wavfile.WavFileWarning)  # of chunks nobody needs
-            rate, data = wavfile.read(io.BytesIO(read_outside(path, LARGEST_SOUND_BYTES)))
+            rate, data = wavfile.read(io.BytesIO(read_untrusted(path, LARGEST_SOUND_BYTES)))
         if not RATES_HZ[0] <= rate <= RATES_HZ[1] or data.dtype.kind not in "uif" or data.dtype.itemsize > 8:
             raise ValueError(f"{rate} samples a second of {data.dtype}")
-    except UnfitFile as error:
+    except UnsuitableFile as error:
         told = f"the sound cannot be read: {error.strerror}"
         raise ClonerError(told, "Give a .wav file with 16-bit samples, cut into pieces", path.name) from error
     except _BROKEN as error:

@@ -15,8 +15,8 @@ from scipy.ndimage import gaussian_filter1d
 
 from cloner.errors import ClonerError
 from cloner.motion.moves.contact import runs
-from cloner.outside import text_outside
 from cloner.records.arrays import Array
+from cloner.untrusted import read_untrusted_text
 
 #: From one row of mouth shapes to the next, seconds.
 STEP_S: Final = 0.01
@@ -121,7 +121,7 @@ def read_phonemes(path: Path) -> list[tuple[str, float]]:
     ClonerError
         If the file is missing or a line is not that.
     """
-    text = text_outside(path, "the phonemes", "Give a text file", LARGEST_BYTES)
+    text = read_untrusted_text(path, "the phonemes", "Give a text file", LARGEST_BYTES)
     try:
         lines = [line.split() for line in text.splitlines() if line.strip()]
         return [(line[0], float(line[1])) for line in lines]

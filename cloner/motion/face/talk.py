@@ -20,9 +20,9 @@ from cloner.motion.face.speech import LARGEST_BYTES, STEP_S, mouth_weights, phon
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import Body
 from cloner.motion.moves.gait import idle
-from cloner.outside import text_outside
 from cloner.records.arrays import Array
 from cloner.records.motions import Motion
+from cloner.untrusted import read_untrusted_text
 
 #: Frames a second of every clip.
 FRAMES_PER_S: Final = 30.0
@@ -100,7 +100,7 @@ def _words_in(path: Path) -> str | None:
     ClonerError
         If the file cannot be read.
     """
-    text = text_outside(path, "the text", "Give a text file", LARGEST_BYTES).strip()
+    text = read_untrusted_text(path, "the text", "Give a text file", LARGEST_BYTES).strip()
     if not text:
         return None  # the reader of phonemes says so
     first = next(line.split() for line in text.splitlines() if line.strip())

@@ -20,6 +20,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.caching import cached_per_object
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
 from cloner.motion.flesh.bending import JointBend, bent_rotations
@@ -29,7 +30,6 @@ from cloner.motion.limbs.body import SIDES, Body, body_of
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-from cloner.remembered import once_each
 
 Ints = NDArray[np.int64]
 
@@ -90,7 +90,7 @@ class Driver:
         }
 
 
-@once_each
+@cached_per_object
 def with_correctives(clone: Clone) -> tuple[Clone, tuple[Driver, ...]]:
     """Return the clone, in its own rest pose, with corrective targets after its others, and their drivers."""
     body, normals = body_of(clone), surface_normals(clone.vertices_m)

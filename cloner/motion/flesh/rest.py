@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial import cKDTree
 
+from cloner.caching import cached_per_object
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.articulation.fingers import palm_normal
@@ -25,19 +26,18 @@ from cloner.motion.moves.gait import aim_limb, follow
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
-from cloner.remembered import once_each
 
 #: Joints that turn less than this keep their flesh by themselves, radians; taste.
 LEAST_RAD = np.radians(3.0)
 
 
-@once_each
+@cached_per_object
 def in_t_pose(clone: Clone) -> Clone:
     """Return the clone in a T-pose: arms level to the sides, palms down, legs straight down."""
     return in_pose(clone, t_pose(body_of(clone)))
 
 
-@once_each
+@cached_per_object
 def in_hanging_pose(clone: Clone) -> Clone:
     """Return the clone in H-Anim's own rest pose: arms hanging at the sides, palms inwards."""
     return in_pose(clone, hanging_pose(body_of(clone)))

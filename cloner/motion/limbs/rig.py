@@ -19,12 +19,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.caching import cached_per_object
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.motion.limbs.body import SIDES
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
-from cloner.remembered import once_each
 
 #: A bending joint with the joints before and after it.
 RINGED: Final = {
@@ -114,7 +114,7 @@ def _unit(vector: Array) -> Array:
     return np.asarray(vector / np.linalg.norm(vector))
 
 
-@once_each
+@cached_per_object
 def centre_joints(clone: Clone) -> Clone:
     """Return the clone with shoulders, elbows, wrists, knees and ankles in the middle of its own limbs.
 

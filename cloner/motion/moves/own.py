@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from cloner.caching import cached_per_object
 from cloner.motion.limbs.body import body_of
 from cloner.motion.moves.gait import idle, walk
 from cloner.motion.moves.styles import REGULAR, suited
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-from cloner.remembered import once_each
 
 #: Makes the motions of a clone as it is given: with its joints, in its rest pose.
 Moves = Callable[[Clone], Sequence[Motion]]
 
 
-@once_each
+@cached_per_object
 def own_motions(clone: Clone) -> tuple[Motion, ...]:
     """Return walk and idle in the clone's own proportions, the walk of its sex and age where these were told."""
     body = body_of(clone)

@@ -8,7 +8,6 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight
@@ -22,6 +21,7 @@ from cloner.paint.lookups.materials import SQUARE, Materials, continues, shows_g
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, covered_by_hair, shown_colours, visible_points
 from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
@@ -110,7 +110,7 @@ def bake(
         small = paint_tile(tiles[number].halved(), 1)
         return small and small.doubled()
 
-    for number, part in enumerate(abreast(paint_either, range(len(tiles)))):
+    for number, part in enumerate(parallel_map(paint_either, range(len(tiles)))):
         place = tiles[number].place
         if part is not None:
             whole.rgb[place], whole.covered[place], whole.seen[place] = part.rgb, part.covered, part.seen

@@ -17,7 +17,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
@@ -25,6 +24,7 @@ from cloner.generic.photo_shares import arms
 from cloner.geometry.cameras.visibility import DEPTH_SCALE
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.paint.lookups.sources import Source
+from cloner.parallel import parallel_map
 from cloner.vision.retouching.line_match import LinePicture, MatchScales, SharedSamples, line_pictures, match_lines
 
 SIZE: Final = 384  # texels a side at which photos are compared: 7 mm on the body, 3 mm on the face
@@ -52,7 +52,7 @@ def align_feature_lines(generic: GenericHuman, sources: list[Source]) -> list[So
     """
     atlas = generic_atlas(generic, SIZE)
     own = [source for source in sources if not source.mirrored]
-    lines = dict(zip([source.view for source in own], abreast(_lines_of, own), strict=True))
+    lines = dict(zip([source.view for source in own], parallel_map(_lines_of, own), strict=True))
     found = list(sources)
     for view, others in MEETING:
         stay = [source for source in found if source.view in others]

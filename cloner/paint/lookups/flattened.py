@@ -11,11 +11,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.sources import Source
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.vision.retouching.normalising import FLATTENED, HUE_LOG, LEAST_PAIRS, log_levels
 
@@ -63,7 +63,7 @@ def flatten_halves(
         lean = 0.5 * (lean - lean[twin])
         return np.asarray(LARGEST_HALF * np.tanh((1.0 - FLATTENED) * lean / LARGEST_HALF) - lean)
 
-    return np.stack(list(abreast(gains, range(len(sources)))))
+    return np.stack(list(parallel_map(gains, range(len(sources)))))
 
 
 def soften_glare(
@@ -93,7 +93,7 @@ def soften_glare(
         less = np.asarray(alike * (left - glare) / np.maximum(light, FREE_GLARE) * beyond, np.float64)
         return graph.fill(less, np.where(seen, 1.0, UNSEEN), GLARE_STIFFNESS)
 
-    return np.stack(list(abreast(gains, range(len(sources)))))
+    return np.stack(list(parallel_map(gains, range(len(sources)))))
 
 
 def flatten_slants(

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.flattened import flatten_halves, flatten_slants, soften_glare
 from cloner.paint.lookups.materials import Materials, is_skin_colour, shown_bare_share
 from cloner.paint.lookups.sources import Source, shown_colours
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.results import Residual
 from cloner.vision.retouching.normalising import (
@@ -186,7 +186,7 @@ def border_gains(colours: Array, claim: Array, trust: NDArray[np.floating], grap
         goal = weight[:, None] * pull / np.maximum(mass, 1e-9)[:, None]
         return graph.fill(goal / (weight + FADE)[:, None], weight + FADE, LEVEL_STIFFNESS)
 
-    return np.stack(list(abreast(gains, range(len(logs)))))
+    return np.stack(list(parallel_map(gains, range(len(logs)))))
 
 
 def normalised_colours(colours: Array, light: Array) -> Array:
@@ -236,7 +236,7 @@ def fill_surface(
         return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, light_coordinates(near))
 
     all_kinds = ((skin, shown), (kinds.bare * kinds.scalp, shown), (kinds.worn, 1.0 - shown))
-    return np.clip(np.stack(list(abreast(field, all_kinds))), 0.0, 255.0).astype(np.float32)
+    return np.clip(np.stack(list(parallel_map(field, all_kinds))), 0.0, 255.0).astype(np.float32)
 
 
 def _mean_shown(generic: GenericHuman, sources: list[Source], evened: Array, alike: Array) -> tuple[Array, Array]:

@@ -8,7 +8,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.generic.face_grids import mouth_grid
 from cloner.generic.lip_steps import SHARE, drop_from_borders
@@ -21,6 +20,7 @@ from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import PosedPerson, pose_person
 from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, matted_photo, person_mask, person_skin, without_glasses
 from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
+from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -110,7 +110,7 @@ def gather_sources(
     views = [view for view in joined.views if view in photos.photos and view in proposals.views]
     bodies = [view for view in views if not view.is_face]
     own = colours_by_height((photos.photos[v].rgb, person_mask(v, proposals.views[v], silhouettes)) for v in bodies)
-    for view, found in zip(views, abreast(prepared, views), strict=True):
+    for view, found in zip(views, parallel_map(prepared, views), strict=True):
         if found is None:
             continue
         source, gap = found

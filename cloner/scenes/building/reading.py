@@ -9,8 +9,7 @@ from dataclasses import MISSING, fields
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.errors import ClonerError, plain
-from cloner.outside import UnfitFile, read_outside
+from cloner.errors import ClonerError, printable
 from cloner.scenes.building.looks import LOOKS
 from cloner.scenes.building.plan import (
     LARGEST,
@@ -26,6 +25,7 @@ from cloner.scenes.building.plan import (
     Vault,
     Wall,
 )
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 #: Plans that come with Cloner.
 SHIPPED: Final = ("museum", "nave", "pit")
@@ -53,8 +53,8 @@ def read_plan(source: str | Path) -> tuple[Plan, str]:
         return plan_of(text, str(source)), text
     path = Path(source)
     try:
-        text = read_outside(path, LARGEST_PLAN_BYTES).decode("utf-8")
-    except (OSError, UnfitFile, UnicodeDecodeError) as error:
+        text = read_untrusted(path, LARGEST_PLAN_BYTES).decode("utf-8")
+    except (OSError, UnsuitableFile, UnicodeDecodeError) as error:
         hint = f"Give {', '.join(SHIPPED)} or a plan's file (docs/scenes.md)"
         raise ClonerError("there is no plan", hint, path.name) from error
     return plan_of(text, path.name), text
@@ -65,10 +65,12 @@ def plan_of(text: str, where: str) -> Plan:
     try:
         return _plan(tomllib.loads(text))
     except _Wrong as error:
-        raise ClonerError(f"the plan says {plain(str(error))}", "Write it as docs/scenes.md shows", where) from error
+        raise ClonerError(
+            f"the plan says {printable(str(error))}", "Write it as docs/scenes.md shows", where
+        ) from error
     except (ValueError, RecursionError) as error:  # numbers of thousands of digits are no TOML errors
         hint = "Write it as docs/scenes.md shows"
-        raise ClonerError(f"the plan cannot be read: {plain(str(error))}", hint, where) from error
+        raise ClonerError(f"the plan cannot be read: {printable(str(error))}", hint, where) from error
 
 
 class _Wrong(ValueError):

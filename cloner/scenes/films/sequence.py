@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
-from cloner.errors import ClonerError, plain
-from cloner.outside import UnfitFile, read_outside
+from cloner.errors import ClonerError, printable
 from cloner.scenes.films.words import MOST_SECONDS, XY, Words
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 #: Bounds of a film's file, far beyond what a person writes; taste.
 LARGEST_BYTES: Final = 1_000_000
@@ -90,8 +90,8 @@ def read_sequence(path: Path) -> Sequence:
         If it cannot be read, or a line says something that is not understood.
     """
     try:
-        text = read_outside(path, LARGEST_BYTES).decode("utf-8")
-    except (OSError, UnfitFile, UnicodeDecodeError) as error:
+        text = read_untrusted(path, LARGEST_BYTES).decode("utf-8")
+    except (OSError, UnsuitableFile, UnicodeDecodeError) as error:
         raise ClonerError("there is no film", "Give a text like samples/awakening.film", path.name) from error
     return sequence_of(text, path.name)
 
@@ -250,7 +250,7 @@ def _curtain(words: Words, film: Sequence, when: float) -> None:
 
 
 def _caption(words: Words, film: Sequence, when: float) -> None:
-    text = plain(words.take("text", "a text in quotes").strip('"'))
+    text = printable(words.take("text", "a text in quotes").strip('"'))
     film.captions.append((when, when + words.seconds("for", 4.0), text))
 
 

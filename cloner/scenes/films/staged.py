@@ -14,7 +14,7 @@ from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Dice
 from cloner.crowd.staged.staging import HEAD_MIDDLE, PLAIN
 from cloner.errors import ClonerError
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 from cloner.scenes.films.sequence import Actor, Key
 from cloner.scenes.films.sequence import Sequence as Film
@@ -29,7 +29,7 @@ HELD_M, ABOVE_M = 0.44, 0.10
 
 
 def acted_by(
-    film: Film, stock: Stock, people: Sequence[Mapping[str, Any]], progress: Progress = quiet
+    film: Film, stock: Stock, people: Sequence[Mapping[str, Any]], progress: Progress = no_progress
 ) -> tuple[Acted, dict[str, Any]]:
     """Return what the clones of a pack act in a film, and how it is staged.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 
 XY = tuple[float, float]
 
@@ -35,7 +35,7 @@ class Words:
     def wrong(self, expected: str, back: int = 0) -> ClonerError:
         """Return what to raise: what stands there, and what was expected."""
         at = self._at - back
-        shown = plain(repr(self._tokens[at][1])) if at < len(self._tokens) else "the line's end"
+        shown = printable(repr(self._tokens[at][1])) if at < len(self._tokens) else "the line's end"
         column = self._tokens[at][2] if at < len(self._tokens) else (self._tokens[-1][2] + len(self._tokens[-1][1]))
         return ClonerError(f"line {self._number}, column {column}: {shown} stands where {expected} was expected",
                            "docs/scenes.md has every statement", self._where)  # fmt: skip

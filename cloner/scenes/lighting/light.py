@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 from scipy.sparse import csr_matrix
 
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 from cloner.scenes.building.charts import Chart, Grid, between, charts_of, filled, grid_of, laid
 from cloner.scenes.building.looks import Look
@@ -82,7 +82,7 @@ class Lit:
     stops: Stops
 
 
-def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, progress: Progress = quiet) -> Lit:
+def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, progress: Progress = no_progress) -> Lit:
     """Return a room's light maps; ``texel_m`` wins over the sizes of texels that panels have by themselves."""
     stops, portals = Stops(room.stops), Stops(room.portals)
     charts, size = charts_of(room, texel_m)

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 
 from cloner.crowd.staged.rooms import Probes
-from cloner.pipeline import Progress, quiet
+from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 from cloner.scenes.building.charts import filled
 from cloner.scenes.building.pieces import plan_place
@@ -29,7 +29,7 @@ RAYS: Final = 512
 AROUND_M: Final = 0.2
 
 
-def probes_of(room: Room, lit: Lit, progress: Progress = quiet) -> Probes:
+def probes_of(room: Room, lit: Lit, progress: Progress = no_progress) -> Probes:
     """Return the probes over all floors of a lit room."""
     low = np.min([one.low for one in room.plan.floors], axis=0)
     high = np.max([one.high for one in room.plan.floors], axis=0)

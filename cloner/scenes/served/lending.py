@@ -22,7 +22,7 @@ from urllib.parse import urlsplit
 
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.people import Found
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 from cloner.project.folder import safe_identifier
 from cloner.scenes.served.lent import FILES, lent_of, wanted_of
 from cloner.scenes.served.living import EVERY_S, Living
@@ -257,7 +257,7 @@ class _Lender:
         link.send(json.dumps({"number": number, "row": own.row, "sizes": [len(own.files[name]) for name in FILES]}))
         link.send(b"".join(own.files[name] for name in FILES))
         wrong = self._told(link, 2.0 * PATIENCE_S).get("error", "no answer")
-        self.said(f"not lent: {plain(str(wrong))}" if wrong else f"{name} is in the scene")
+        self.said(f"not lent: {printable(str(wrong))}" if wrong else f"{name} is in the scene")
 
     def _told(self, link: Any, wait_s: float) -> dict[str, Any]:
         """Return what the other booth says within a time, nothing where it says nothing."""

@@ -18,7 +18,7 @@ from cloner.crowd.clones.levels import BodyLevels, budgets_in
 from cloner.crowd.packs.files import unpacked
 from cloner.crowd.packs.told import why_unfit_newcomer
 from cloner.crowd.staged.footing import CLIP_STEP
-from cloner.errors import ClonerError, plain
+from cloner.errors import ClonerError, printable
 from cloner.scenes.served.newcomers import Newcomer
 
 #: Sides of its pictures, width and height, pixels.
@@ -107,4 +107,4 @@ def _size(data: bytes) -> tuple[int, int]:
 
 def _unfit(name: str) -> ClonerError:
     hint = "Both booths need the same version of Cloner"
-    return ClonerError(f"a clone from another booth is unfit: {plain(name)}", hint, "lent")
+    return ClonerError(f"a clone from another booth is unfit: {printable(name)}", hint, "lent")

@@ -13,8 +13,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.caching import cached_per_object
 from cloner.records.photos import Photo, PhotoSet
-from cloner.remembered import once_each
 
 #: Noise from which a photo is cleaned, levels at half its size: the samples' photos, JPEG included, have up to 1.9,
 #: generated people's photos of weak light 2.6 to 7.5.
@@ -44,7 +44,7 @@ def noise_level(rgb: NDArray[np.uint8]) -> float:
     return float(np.median(np.abs(diagonal), axis=(0, 1)).mean() / MEDIAN_OF_NORMAL)
 
 
-@once_each
+@cached_per_object
 def denoise_rgb(photo: Photo) -> NDArray[np.uint8]:
     """Return a photo's pixels (H, W, 3) without noise, unchanged where there is little."""
     level = noise_level(photo.rgb)

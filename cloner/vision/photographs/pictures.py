@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from PIL import ExifTags, Image, ImageCms, UnidentifiedImageError
 
 from cloner.errors import ClonerError
-from cloner.outside import UnfitFile, read_outside
+from cloner.untrusted import UnsuitableFile, read_untrusted
 
 if find_spec("pillow_heif") is not None:  # optional: photos as iPhones store them
     import pillow_heif
@@ -139,10 +139,10 @@ def _hint(path: Path) -> str:
 def _read_bytes(path: Path, where: str) -> bytes:
     """Return the file's bytes, or say why there are none."""
     try:
-        data = read_outside(path, LARGEST_BYTES)
+        data = read_untrusted(path, LARGEST_BYTES)
     except FileNotFoundError as error:
         raise ClonerError("the photo is missing", "Put it into the photos folder", where) from error
-    except UnfitFile as error:
+    except UnsuitableFile as error:
         told = f"the photo cannot be opened: {error.strerror}"
         raise ClonerError(told, "Put the photo itself there", where) from error
     except OSError as error:

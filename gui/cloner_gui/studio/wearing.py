@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QMessageBox, QSpinBox, QWidget
 
 from cloner.booth.studio.values import Arranged, Draped, Outfit, received
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
 from cloner_gui.background.newest import newest
 from cloner_gui.event.booth import Booth
@@ -195,7 +195,7 @@ class WearingWindow(Bench):
             newest().ask(
                 self,
                 "clone",
-                functools.partial(clone_of, path),
+                functools.partial(load_clone_at, path),
                 functools.partial(self._take_clone, path),
                 self.notice.tell,
             )

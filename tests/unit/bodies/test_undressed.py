@@ -20,7 +20,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.clone_file import save_clone
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
@@ -158,4 +158,4 @@ def test_the_result_belongs_to_the_same_visitor(dressed: Clone, tmp_path: Path) 
     manifest = json.loads((folder / "report.json").read_text())
     assert manifest["stamp"]["photos"] == {"body_front": "a" * 64}
     assert manifest["kind"] == "undressed"
-    assert clone_of(folder).sole_m == 0.0
+    assert load_clone_at(folder).sole_m == 0.0

@@ -17,7 +17,7 @@ from cloner.generic.load import load_generic
 from cloner.motion.moves.own import own_motions
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.results import is_result
 from cloner.records.heads import Shell
 from cloner.records.regions import REGIONS
@@ -51,7 +51,7 @@ def test_it_is_listed_and_forgotten_like_a_clone(eva: Path, tmp_path: Path) -> N
 
 
 def test_it_is_a_clone_that_moves_and_is_decent(eva: Path) -> None:
-    clone = clone_of(eva)
+    clone = load_clone_at(eva)
     assert clone.stature_m == pytest.approx(1.68)
     assert clone.measures_mm["bust_girth"] == 920.0
     assert clone.consent  # a crowd takes it: nobody is shown
@@ -66,7 +66,7 @@ def test_it_is_a_clone_that_moves_and_is_decent(eva: Path) -> None:
 
 
 def test_a_clone_told_a_waist_keeps_its_head_and_its_ease(eva: Path) -> None:
-    old = clone_of(eva)
+    old = load_clone_at(eva)
     carried = np.zeros((3, 4), np.int32), np.tile([1.0, 0, 0, 0], (3, 1)), np.zeros((2, 2, 4), np.uint8)
     hair = Shell(old.vertices_m[:3] + 0.01, np.array([[0, 1, 2]], np.int32), np.zeros((3, 2)), *carried)
     dressed = replace(old, measures_mm=dict(old.measures_mm) | {"waist_girth": 700.0}, shells=(hair,))
@@ -80,7 +80,7 @@ def test_a_clone_told_a_waist_keeps_its_head_and_its_ease(eva: Path) -> None:
 
 
 def test_a_clone_told_its_stature_is_as_tall(eva: Path) -> None:
-    old = clone_of(eva)
+    old = load_clone_at(eva)
     new = remeasured_clone(old, Told("f", 1.80, {}))
     assert new.vertices_m[load_generic().feature("head_top"), 1] == pytest.approx(1.80, abs=1e-6)
     assert new.measures_mm["bust_girth"] == pytest.approx(old.measures_mm["bust_girth"] * 1.80 / 1.68, abs=2.0)
@@ -115,4 +115,4 @@ def test_a_changed_clone_belongs_to_the_same_visitor(eva: Path, tmp_path: Path) 
         source=source,
     )  # fmt: skip
     assert json.loads((folder / "report.json").read_text())["stamp"]["photos"] == {"body_front": "a" * 64}
-    assert clone_of(folder).stamp.startswith(clone_of(eva).stamp)
+    assert load_clone_at(folder).stamp.startswith(load_clone_at(eva).stamp)

@@ -11,7 +11,7 @@ from cloner.booth.studio.jobs import StudioJobs
 from cloner.booth.studio.values import BodyWish, Outfit, StatueWish, received
 from cloner.booth.worker import Worker
 from cloner.errors import Cancelled, ClonerError
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.clone_file import save_clone
 
 
@@ -56,7 +56,7 @@ def test_every_window_gets_its_clone_through_the_pipe(eva, samples):
     try:
         base, sex = worker.call("begin_body", BodyWish("", 168.0, {}, eva), progress=quiet)
         assert (base.stature_m, sex) == (1.68, "f")
-        assert base.measures_mm == clone_of(eva).measures_mm
+        assert base.measures_mm == load_clone_at(eva).measures_mm
         carved = worker.call("carve", eva, "stone", "rest", progress=quiet)
         assert carved.atlas.shine.size
         photo = worker.call("mark_photo", samples / "anna" / "plain" / "face_front.jpg", eva, progress=quiet)
@@ -75,7 +75,7 @@ def test_who_did_not_consent_is_not_undressed(eva, tmp_path):
 
     folder = tmp_path / "anna"
     folder.mkdir()
-    save_clone(replace(clone_of(eva), consent=False), folder / "clone.npz")
+    save_clone(replace(load_clone_at(eva), consent=False), folder / "clone.npz")
     with pytest.raises(ClonerError, match="consent"):
         StudioJobs().arrange(Outfit(folder, bare=True), quiet)
 
@@ -83,7 +83,7 @@ def test_who_did_not_consent_is_not_undressed(eva, tmp_path):
 def test_a_clone_that_was_made_again_is_read_again(eva, tmp_path):
     folder, jobs = tmp_path / "ida", StudioJobs()
     folder.mkdir()
-    save_clone(clone_of(eva), folder / "clone.npz")
+    save_clone(load_clone_at(eva), folder / "clone.npz")
     first, _ = jobs.begin_body(BodyWish("", 168.0, {}, folder), quiet)
     time.sleep(0.01)
     save_clone(clone_of_measures(Told("f", 1.8, {}), 512), folder / "clone.npz")

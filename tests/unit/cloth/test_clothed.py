@@ -25,7 +25,7 @@ from cloner.crowd.clones.levels import BodyLevels, body_levels
 from cloner.errors import ClonerError
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
-from cloner.pipeline import quiet
+from cloner.pipeline import no_progress
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.flow_file import FLOW_FILE, load_flow
 from cloner.records.clones import Clone
@@ -48,7 +48,7 @@ def result(eva: Clone, walking: Dressed, tmp_path_factory: pytest.TempPathFactor
     home = tmp_path_factory.mktemp("results")
     (home / "eva").mkdir()
     save_clone(eva, home / "eva" / "clone.npz")
-    write_clothed(walking, eva, home / "eva", home / "eva-skirt", ["skirt"], ("glb",), quiet)
+    write_clothed(walking, eva, home / "eva", home / "eva-skirt", ["skirt"], ("glb",), no_progress)
     return home / "eva-skirt"
 
 

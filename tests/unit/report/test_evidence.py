@@ -85,7 +85,7 @@ def test_the_clone_is_made_again_without_a_contradicted_photo(monkeypatch, front
     monkeypatch.setattr(making.pipeline, "run", stages.run)
     monkeypatch.setattr(making, "agreements", stages.agreements)
     given = {"photos": 1, "person": 2, "corrections": 3}
-    values, reports = making._run_believing(given, 0, lambda s, f: None, lambda n, v: None, ())
+    values, reports = making._run_without_contradicting_photos(given, 0, lambda s, f: None, lambda n, v: None, ())
     assert stages.runs == [{FRONT, SIDE}, {FRONT}]
     assert set(values["proposals"].views) == kept
     assert set(values["proposals"].left_out) == {FRONT, SIDE} - kept

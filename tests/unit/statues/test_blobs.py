@@ -16,7 +16,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.results import is_result
 from cloner.statues.blob_bodies import blob_folder, blobs_file, clone_of_blobs
 from cloner.statues.blobs import LEVEL, Blob, field_of, read_blobs, written_blobs
@@ -155,7 +155,7 @@ def test_the_soldier_is_a_statue_that_walks(tmp_path: Path) -> None:
     folder, lines = blob_folder(SOLDIER, tmp_path, "soldier", material="clay", formats=("glb",), texture_size=512)
     assert is_result(folder)
     assert "blobs" in lines[0]
-    clone = clone_of(folder)
+    clone = load_clone_at(folder)
     assert clone.atlas.shine.size
     assert clone.measures_mm["waist_girth"] > 950.0  # in armour
 
@@ -163,10 +163,10 @@ def test_the_soldier_is_a_statue_that_walks(tmp_path: Path) -> None:
 def test_a_clone_tells_its_blobs_and_stays_its_visitors(tmp_path: Path) -> None:
     ada = saved(tmp_path / "ada", dressed_toy())
     told = blobs_file(ada, tmp_path / "ada.json")
-    assert clone_of(ada).stamp in (tmp_path / "ada.json").read_text(encoding="utf-8")  # forget finds copies by it
+    assert load_clone_at(ada).stamp in (tmp_path / "ada.json").read_text(encoding="utf-8")  # forget finds copies by it
     assert "mm from the clone's" in told
     folder, _ = blob_folder(tmp_path / "ada.json", tmp_path, "again", onto=ada, formats=(), texture_size=512)
-    before, now = clone_of(ada), clone_of(folder)
+    before, now = load_clone_at(ada), load_clone_at(folder)
     assert np.linalg.norm(now.vertices_m - before.vertices_m, axis=1).mean() < 0.005
     assert now.stamp.startswith(before.stamp)
     assert now.consent

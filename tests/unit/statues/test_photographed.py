@@ -13,7 +13,7 @@ from PIL import Image
 from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj, wrapped
 from cloner.geometry.cameras.viewpoints import framing_camera
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.results import is_result, read_manifest
 from cloner.render import render_mesh
 from cloner.statues.markers import known_points, read_markers
@@ -114,7 +114,7 @@ def test_a_clone_gets_the_photo_and_may_be_cut_in_stone(portrait, tmp_path: Path
     photo, markers = portrait
     folder, _ = photo_folder(photo, markers, tmp_path, "soldier", material="clay", formats=("glb",), texture_size=512)
     assert is_result(folder)
-    clone = clone_of(folder)
+    clone = load_clone_at(folder)
     assert clone.atlas.shine.size
     assert not clone.consent  # nobody wrote that the photo may be shown
     manifest = read_manifest(folder)
@@ -130,7 +130,7 @@ def test_consent_is_that_of_photo_and_clone(portrait, tmp_path: Path) -> None:
     for onto, shown in ((ada, True), (bea, False), (None, True)):
         name = f"on-{onto.name if onto else 'nobody'}"
         folder, _ = photo_folder(photo, markers, tmp_path, name, onto=onto, formats=(), texture_size=512)
-        assert clone_of(folder).consent is shown
+        assert load_clone_at(folder).consent is shown
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 from cloner.cli import app
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.errors import ClonerError
-from cloner.picture import clone_of
+from cloner.picture import load_clone_at
 from cloner.project.results import is_result, read_manifest
 from cloner.report.write import write_report
 from cloner.statues.written import statue_folder
@@ -44,8 +44,8 @@ def test_the_command_takes_a_clone_as_its_first_word(visitor: Path, tmp_path: Pa
         out = tmp_path / str(number)
         told = CliRunner().invoke(app, [*words, str(visitor), "--material", "clay", "--format", "", "--out", str(out)])
         assert told.exit_code == 0, told.output
-        assert clone_of(out / "ada-clay").atlas.shine.size
-    assert np.array_equal(*(clone_of(tmp_path / one / "ada-clay").atlas.rgb for one in "01"))
+        assert load_clone_at(out / "ada-clay").atlas.shine.size
+    assert np.array_equal(*(load_clone_at(tmp_path / one / "ada-clay").atlas.rgb for one in "01"))
 
 
 @pytest.mark.parametrize("wrong", [{"material": "jade"}, {"pose": "lotus"}, {"formats": ("doc",)}])

@@ -7,13 +7,13 @@ import threading
 
 import numpy as np
 
-from cloner.remembered import once_each
+from cloner.caching import cached_per_object
 
 
 def test_it_is_made_once_for_each_very_object() -> None:
     asked: list[int] = []
 
-    @once_each
+    @cached_per_object
     def total(values: np.ndarray) -> float:
         asked.append(len(values))
         return float(values.sum())
@@ -24,7 +24,7 @@ def test_it_is_made_once_for_each_very_object() -> None:
 
 
 def test_it_is_forgotten_with_its_object_and_its_place_is_free_for_the_next() -> None:
-    @once_each
+    @cached_per_object
     def first_value(values: np.ndarray) -> float:
         return float(values[0])
 
@@ -39,7 +39,7 @@ def test_two_threads_that_ask_for_the_same_get_one_value() -> None:
     made: list[object] = []
     begun, go = threading.Event(), threading.Event()
 
-    @once_each
+    @cached_per_object
     def slow(_: np.ndarray) -> object:
         begun.set()
         go.wait(5.0)

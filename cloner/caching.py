@@ -1,4 +1,4 @@
-"""What is made of a frozen record, or of a read-only array, made once and kept as long as that lives.
+"""Caches of what is computed from a frozen record or a read-only array, for as long as that object lives.
 
 A clone leaves in many formats; they share its walk, its T-pose, its packed pictures.
 """
@@ -15,8 +15,8 @@ Thing = TypeVar("Thing")
 Made = TypeVar("Made")
 
 
-def once_each(make: Callable[[Thing], Made]) -> Callable[[Thing], Made]:
-    """Return ``make`` that remembers what it made of each very object, for as long as somebody else holds that object.
+def cached_per_object(make: Callable[[Thing], Made]) -> Callable[[Thing], Made]:
+    """Return ``make`` with its results cached per argument object, for as long as somebody else holds that object.
 
     ``make`` is pure; nobody changes its value, which does not hold the object that it was made of. Of two threads that
     ask for the same, the second waits for the first.

@@ -1,4 +1,4 @@
-"""Independent work two by two: NumPy, OpenCV and the nets let other threads run while they count."""
+"""Independent work on two threads: NumPy, OpenCV and the nets release the interpreter lock while they compute."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ Middle = TypeVar("Middle")
 Result = TypeVar("Result")
 
 
-def abreast(work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
-    """Yield ``work(item)`` of all items in their order; two are worked on at a time.
+def parallel_map(work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+    """Yield ``work(item)`` of all items in order, two at a time.
 
     The results are those of one thread if ``work`` is a pure function. What it raises is raised here, that of
     the first failing item first; work not begun yet is left undone then, and also when the caller stops early.
@@ -28,13 +28,13 @@ def abreast(work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[R
         pool.shutdown(cancel_futures=True)
 
 
-def in_two_steps(
+def pipelined(
     first: Callable[[Item], Middle], second: Callable[[Item, Middle], Result], items: Iterable[Item]
 ) -> Iterator[Result]:
-    """Yield ``second(item, first(item))`` of all items in their order; two steps are worked on at a time.
+    """Yield ``second(item, first(item))`` of all items in order, two steps at a time.
 
     All first steps come before the second ones: the shorter the steps, the shorter one thread waits for the other
-    at the end. Errors are raised as by :func:`abreast`, those of first steps before those of second ones.
+    at the end. Errors are raised as by :func:`parallel_map`, those of first steps before those of second ones.
     """
     everything = list(items)
     with ThreadPoolExecutor(ABREAST) as pool:
@@ -54,10 +54,10 @@ def _second(second: Callable[[Item, Middle], Result], item: Item, half: Future[M
     return second(item, half.result())
 
 
-def as_ready(
+def as_completed(
     work: Callable[[Item], Result], take: Callable[[], Item | None], stop: Callable[[BaseException], None]
 ) -> Iterator[tuple[Item, Result]]:
-    """Yield items and ``work(item)`` as they end; two are worked on at a time.
+    """Yield items and ``work(item)`` as they complete, two at a time.
 
     What ``work`` raises is raised here, after the work beside it has ended.
 
@@ -86,8 +86,8 @@ def as_ready(
 
 
 @contextmanager
-def beside(work: Callable[[], object]) -> Iterator[None]:
-    """Do ``work`` in another thread while the block runs, and wait for it; what it raises is raised here.
+def in_background(work: Callable[[], object]) -> Iterator[None]:
+    """Run ``work`` in another thread during the block and wait for it; its exception is raised here.
 
     The block's own error wins.
     """

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from cloner.abreast import abreast, as_ready, beside, in_two_steps
+from cloner.parallel import as_completed, in_background, parallel_map, pipelined
 
 
 def test_results_come_in_the_order_of_the_items():
@@ -20,7 +20,7 @@ def test_results_come_in_the_order_of_the_items():
             first_may_end.set()
         return 10 * item
 
-    assert list(abreast(work, range(5))) == [0, 10, 20, 30, 40]
+    assert list(parallel_map(work, range(5))) == [0, 10, 20, 30, 40]
 
 
 def test_the_first_failing_item_is_told():
@@ -30,7 +30,7 @@ def test_the_first_failing_item_is_told():
         return item
 
     with pytest.raises(ValueError, match="item 1"):
-        list(abreast(work, range(6)))
+        list(parallel_map(work, range(6)))
 
 
 def test_work_not_begun_is_left_when_the_caller_stops():
@@ -40,7 +40,7 @@ def test_work_not_begun_is_left_when_the_caller_stops():
         begun.append(item)
         time.sleep(0.02)  # all of them take 10 s: no scheduler begins the last before the caller stops
 
-    going = abreast(work, range(1000))
+    going = parallel_map(work, range(1000))
     next(going)
     going.close()
     assert len(begun) < 1000
@@ -52,7 +52,7 @@ def test_work_is_told_to_end_when_the_caller_is_interrupted():
     def work(name):
         return name == "quick" or told.wait(5.0)
 
-    going = as_ready(work, lambda: items.pop(0) if items else None, stop=lambda error: told.set())
+    going = as_completed(work, lambda: items.pop(0) if items else None, stop=lambda error: told.set())
     assert next(going) == ("quick", True)
     with pytest.raises(KeyboardInterrupt):
         going.throw(KeyboardInterrupt)
@@ -65,13 +65,13 @@ def test_an_error_beside_the_block_is_raised_after_it():
     def work():
         raise OSError("disk full")
 
-    with pytest.raises(OSError, match="disk full"), beside(work):
+    with pytest.raises(OSError, match="disk full"), in_background(work):
         done.append(True)
     assert done
 
 
 def test_the_blocks_own_error_wins():
-    with pytest.raises(KeyError), beside(lambda: 1 / 0):
+    with pytest.raises(KeyError), in_background(lambda: 1 / 0):
         raise KeyError("own")
 
 
@@ -86,9 +86,9 @@ def test_second_steps_get_what_the_first_ones_gave_in_the_order_of_the_items():
         begun.append(("second", item))
         return item, half
 
-    assert list(in_two_steps(first, second, range(5))) == [(item, 10 * item) for item in range(5)]
+    assert list(pipelined(first, second, range(5))) == [(item, 10 * item) for item in range(5)]
     assert {step for step, _ in begun[:4]} == {"first"}, "first steps come first"
-    assert list(in_two_steps(first, second, [])) == []
+    assert list(pipelined(first, second, [])) == []
 
 
 def test_a_failing_first_step_is_told_before_any_second_one():
@@ -101,7 +101,7 @@ def test_a_failing_first_step_is_told_before_any_second_one():
         raise KeyError(item)
 
     with pytest.raises(ValueError, match="item 2"):
-        list(in_two_steps(first, second, range(4)))
+        list(pipelined(first, second, range(4)))
 
 
 def test_what_is_ready_goes_on_beside_slower_work():
@@ -119,7 +119,7 @@ def test_what_is_ready_goes_on_beside_slower_work():
             quick_ended.set()
         return name != "slow" or quick_ended.wait(5.0)
 
-    for name, well in as_ready(work, take, stop=pytest.fail):
+    for name, well in as_completed(work, take, stop=pytest.fail):
         assert well, "nothing was begun beside the slow work"
         done.append(name)
     assert sorted(done) == ["after quick", "quick", "slow"]

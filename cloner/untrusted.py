@@ -1,4 +1,4 @@
-"""The one way to read a file that somebody else may have put there: an ordinary one, and no more bytes than expected.
+"""Reading of files that somebody else may have placed: regular files only, up to a size limit.
 
 A pipe would be waited for without end, a device read until the memory is full, and a file can grow while it is read.
 """
@@ -18,12 +18,12 @@ _BLOCK: Final = 1 << 20
 _FLAGS: Final = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
 
-class UnfitFile(OSError):
-    """A file that is none, or more than was expected; its text says which."""
+class UnsuitableFile(OSError):
+    """The file is not a regular one, or larger than expected; the text says which."""
 
 
-def open_outside(path: Path) -> BinaryIO:
-    """Return an ordinary file opened for reading.
+def open_untrusted(path: Path) -> BinaryIO:
+    """Return a regular file opened for reading.
 
     Raises
     ------
@@ -35,24 +35,24 @@ def open_outside(path: Path) -> BinaryIO:
     try:
         descriptor = os.open(path, _FLAGS)  # a pipe without a writer opens at once, and is refused below
     except ValueError as error:  # a zero in its name
-        raise UnfitFile(errno.EINVAL, "no file can be called that") from error
+        raise UnsuitableFile(errno.EINVAL, "no file can be called that") from error
     try:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise UnfitFile(errno.EINVAL, "it is no ordinary file")
+            raise UnsuitableFile(errno.EINVAL, "it is no ordinary file")
         return os.fdopen(descriptor, "rb")
     except BaseException:
         os.close(descriptor)
         raise
 
 
-def below(root: Path) -> list[Path]:
-    """Return all files and folders below a folder, sorted; through no link, and without what goes meanwhile."""
+def walk_files(root: Path) -> list[Path]:
+    """Return all files and folders below a folder, sorted; links are not followed, disappearing ones are skipped."""
     inside = [os.path.join(place, name) for place, folders, files in os.walk(root) for name in (*folders, *files)]
     return sorted(map(Path, inside))
 
 
-def read_outside(path: Path, largest_bytes: int) -> bytes:
-    """Return the bytes of an ordinary file, at most so many.
+def read_untrusted(path: Path, largest_bytes: int) -> bytes:
+    """Return the bytes of a regular file, up to a limit.
 
     Raises
     ------
@@ -61,18 +61,18 @@ def read_outside(path: Path, largest_bytes: int) -> bytes:
     OSError
         If it cannot be read.
     """
-    with open_outside(path) as stream:
+    with open_untrusted(path) as stream:
         blocks, left = [], largest_bytes
         while left >= 0 and (block := stream.read(min(_BLOCK, left + 1))):
             blocks.append(block)
             left -= len(block)
     if left < 0:
-        raise UnfitFile(errno.EFBIG, f"it is larger than {largest_bytes / 1e6:.0f} MB")
+        raise UnsuitableFile(errno.EFBIG, f"it is larger than {largest_bytes / 1e6:.0f} MB")
     return b"".join(blocks)
 
 
-def text_outside(path: Path, what: str, hint: str, largest_bytes: int, *, errors: str = "strict") -> str:
-    """Return the text of an ordinary UTF-8 file.
+def read_untrusted_text(path: Path, what: str, hint: str, largest_bytes: int, *, errors: str = "strict") -> str:
+    """Return the text of a regular UTF-8 file.
 
     Parameters
     ----------
@@ -91,8 +91,8 @@ def text_outside(path: Path, what: str, hint: str, largest_bytes: int, *, errors
         If it cannot be read, is too large or no text.
     """
     try:
-        return read_outside(path, largest_bytes).decode("utf-8", errors)
-    except UnfitFile as error:
+        return read_untrusted(path, largest_bytes).decode("utf-8", errors)
+    except UnsuitableFile as error:
         if error.errno == errno.EFBIG:
             raise ClonerError(f"{what} is too large", "Cut it into shorter pieces", path.name) from error
         raise ClonerError(f"{what} cannot be read: {error.strerror}", hint, path.name) from error
