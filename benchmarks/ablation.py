@@ -31,8 +31,8 @@ from skimage import measure
 
 from cloner.detectors.face import face_curves
 from cloner.errors import ClonerError
-from cloner.evaluate.truths.kit import KitTruth, kit_people, photos_alone, read_kit
-from cloner.evaluate.truths.truth import told_height_m
+from cloner.evaluate.truths.kit import KitTruth, kit_people, photos_without_truth, read_kit
+from cloner.evaluate.truths.truth import given_height_m
 from cloner.generic.load import load_generic
 from cloner.paint.lookups.sources import Source
 from cloner.pipeline import STAGES
@@ -148,12 +148,12 @@ WAYS: Final[Mapping[str, Way]] = {
     "without slices of the skin": Way(BODY, (NO_SLICES,)),
     "without skeleton and all slices": Way(BODY, (NO_SKELETON, NO_END_SLICES, NO_SLICES)),
     "without turning limbs, hands and feet": Way(
-        BODY, ((fine, "extremities", lambda mesh, photos, *_: (mesh, photos)),)
+        BODY, ((fine, "fit_extremities", lambda mesh, photos, *_: (mesh, photos)),)
     ),
-    "without settling": Way(BODY, ((fine, "settled", as_it_is),)),
+    "without settling": Way(BODY, ((fine, "settle_on_outlines", as_it_is),)),
     "without the snake": Way(
         ("proposals", "points", "head"),
-        ((face_curves, "pull", lambda picture, curve, params: (curve.points_px, np.zeros(len(curve.points_px)))),),
+        ((face_curves, "run_snake", lambda picture, curve, params: (curve.points_px, np.zeros(len(curve.points_px)))),),
     ),
     "without DFFD of what is left over": Way(
         ("head",), ((head, "add_relief", lambda model, fitted, *_: (fitted, np.zeros((1, 3)))),)
@@ -194,7 +194,7 @@ def sources_of(values: Values) -> list[Source]:
     def stop(_: object, sources: list[Source]) -> list[Source]:
         raise _Seen(sources)
 
-    with replaced(Way((), ((textures, "meet_lines", stop),))):
+    with replaced(Way((), ((textures, "align_feature_lines", stop),))):
         try:
             run_stages(values, up_to("textures"))
         except _Seen as seen:
@@ -208,16 +208,16 @@ def judge(person: Path, keep: Path) -> dict[str, Any]:
     if kept.is_file():
         return dict(json.loads(kept.read_text()))
     kit = read_kit(person)
-    with photos_alone(person) as folder:
+    with photos_without_truth(person) as folder:
         values = folder_values(folder)
-    values["person"] = replace(values["person"], stature_m=told_height_m(person), stature_is_known=True)
+    values["person"] = replace(values["person"], stature_m=given_height_m(person), stature_is_known=True)
     values, _ = run_stages(values, up_to("head"))
     asked = (outline_figures, body_figures, curve_figures, head_figures)
     ways = {ALL: {name: value for ask in asked for name, value in ask(values, kit).items()}}
     for name, way in WAYS.items():
         ways[name] = figures(way, values, kit)
     places = sources_of(values)
-    ways[ALL]["photos apart mm"] = apart_mm(textures.meet_lines(load_generic(), places), kit)
+    ways[ALL]["photos apart mm"] = apart_mm(textures.align_feature_lines(load_generic(), places), kit)
     ways[APART] = {"photos apart mm": apart_mm(places, kit)}
     row = {"name": person.name, "commit": commit(), "ways": ways}
     write_json(kept, row)

@@ -46,8 +46,8 @@ def outline_figures(values: Values, kit: KitTruth) -> Figures:
     for view in BODY_VIEWS:
         if view in values["silhouettes"].views:
             mask, true = values["silhouettes"].views[view].mask, kit.truth.views[view].mask
-            away.append(rulers.spread(rulers.outline_distances_px(mask, true)).mean * 1800.0 / len(true))
-            overlap.append(rulers.overlap(mask, true))
+            away.append(rulers.summarise(rulers.outline_distances_px(mask, true)).mean * 1800.0 / len(true))
+            overlap.append(rulers.mask_iou(mask, true))
     return {"outline px": float(np.mean(away)), "outline IoU": float(np.mean(overlap))}
 
 

@@ -21,7 +21,7 @@ from cloner.bodies.children import USUAL_AGE, stature_mm
 from cloner.bodies.measured import measured_body
 from cloner.bodies.population import SEXES, STATURE_MM, people
 from cloner.bodies.ruler import read, tapes
-from cloner.bodies.telling import GIRTHS, LENGTHS, PRESETS, Told, check_told, untold_mm
+from cloner.bodies.telling import GIRTHS, LENGTHS, PRESETS, BodySpecification, check_specification, untold_mm
 from cloner.errors import ClonerError
 from cloner.generic.framing import framing_camera
 from cloner.generic.load import load_generic
@@ -52,16 +52,16 @@ SHEET = (
 )
 
 
-def spread_told(sex: str, stature_m: float, age: float, keys: tuple[str, ...], spreads: float) -> Told:
+def spread_told(sex: str, stature_m: float, age: float, keys: tuple[str, ...], spreads: float) -> BodySpecification:
     """Return a body whose measures are so many spreads from the mean of its sex and age."""
     mm = {}
     for key in keys:
         mean, spread = people(sex, age).spread_mm(key, stature_m)
         mm[key] = mean + spreads * spread * (1.0 if key in GIRTHS else LENGTH_SHARE)
-    return Told(sex, stature_m, mm, age)
+    return BodySpecification(sex, stature_m, mm, age)
 
 
-def cases() -> Iterator[tuple[str, float, Told]]:
+def cases() -> Iterator[tuple[str, float, BodySpecification]]:
     """Yield name, spreads from the mean, and what is told."""
     for sex in SEXES:
         stature_m = STATURE_MM[sex][0] / 1e3
@@ -72,12 +72,12 @@ def cases() -> Iterator[tuple[str, float, Told]]:
             told = spread_told(sex, stature_mm(sex, age)[0] / 1e3, age, PRESETS["four"], spreads)
             yield f"{sex} {age:g} years {spreads:+d}", abs(spreads), told
     for stature_m in (1.50, 1.90):
-        yield f"f {stature_m:.2f} m", 2, Told("f", stature_m, {"waist_girth": 0.44 * 1e3 * stature_m})
-    yield "apple", 3, Told("f", 1.65, {"bust_girth": 1100.0, "waist_girth": 1150.0, "hip_girth": 1060.0})
-    yield "pear", 2, Told("f", 1.65, {"bust_girth": 860.0, "waist_girth": 760.0, "hip_girth": 1180.0})
+        yield f"f {stature_m:.2f} m", 2, BodySpecification("f", stature_m, {"waist_girth": 0.44 * 1e3 * stature_m})
+    yield "apple", 3, BodySpecification("f", 1.65, {"bust_girth": 1100.0, "waist_girth": 1150.0, "hip_girth": 1060.0})
+    yield "pear", 2, BodySpecification("f", 1.65, {"bust_girth": 860.0, "waist_girth": 760.0, "hip_girth": 1180.0})
 
 
-def foreign_mm(body: BodyMesh, told: Told, key: str) -> float:
+def foreign_mm(body: BodyMesh, told: BodySpecification, key: str) -> float:
     """Return a girth by trimesh: the hull of its own cut, mean of both sides."""
     found = []
     for plane in tapes(body.vertices_m, body.joints_m, load_tape_rules(), (key,), seat=told.seat)[key]:
@@ -103,11 +103,11 @@ def turned_over(body: BodyMesh) -> int:
 
 def main() -> None:
     rows, bodies = [], {}
-    measured_body(Told("f", 1.7, {}))  # what is read once a process
+    measured_body(BodySpecification("f", 1.7, {}))  # what is read once a process
     for name, spreads, told in cases():
         begun = time.process_time()
         try:
-            check_told(told)
+            check_specification(told)
             body = measured_body(told)
         except ClonerError as error:
             rows.append((spreads, f"| {name} | refused: {error.message} | | | | | | |", None))

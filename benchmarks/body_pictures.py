@@ -12,7 +12,7 @@ from body_truth import KnownPerson
 from numpy.typing import NDArray
 
 from cloner.evaluate.figures import likeness
-from cloner.evaluate.measures.posing import rotations_towards
+from cloner.evaluate.measures.posing import fit_rotations
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -34,9 +34,7 @@ def write_person(path: Path, row: Mapping[str, Any], known: KnownPerson, clone: 
 
     generic = load_generic()
     held = true_view(known.shots["body_three_quarter"])
-    rotations = rotations_towards(
-        clone, generic, held.joints_m, held.points_m, clone.views[ViewId.BODY_FRONT].rotations
-    )
+    rotations = fit_rotations(clone, generic, held.joints_m, held.points_m, clone.views[ViewId.BODY_FRONT].rotations)
     seen = {view.value: (posed.camera, posed.rotations) for view, posed in clone.views.items() if view.is_body}
     seen[held.name] = (likeness.held_out_camera(clone, rotations, generic, held), rotations)
     columns = []

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from cloner.evaluate.figures import skins
 from cloner.evaluate.measures import rulers
 from cloner.evaluate.measures.posing import (
-    Posed,
+    PosedClone,
+    fit_rotations,
     joints_by_truth_name,
     moved_camera,
     pose_clone,
-    rotations_towards,
     truth_from_body,
     truth_from_points,
 )
@@ -122,7 +122,7 @@ def score_step(step: Clone, generic: GenericHuman, truth: KnownTruth) -> dict[st
     found = skins.body_distances(posed, generic, surface, rng=np.random.default_rng(SEED))
     off = joint_errors_mm(found.aligned, generic, truth)
     return {
-        "silhouette_iou": {view: rulers.overlap(mask, truth.views[view].mask) for view, mask in masks.items()},
+        "silhouette_iou": {view: rulers.mask_iou(mask, truth.views[view].mask) for view, mask in masks.items()},
         "below_head_iou": {view: below_head_overlap(mask, truth, view) for view, mask in masks.items()},
         **surface_scores(found, generic),
         "joints_mm": {name: float(np.linalg.norm(away)) for name, away in off.items()},
@@ -139,7 +139,7 @@ def placed(step: Clone, generic: GenericHuman, truth: KnownTruth) -> tuple[Array
     start = step.views[ViewId.BODY_FRONT]
     held = truth.views[HELD_OUT]
     if truth.surface.joints_m:
-        rotations = rotations_towards(step, generic, held.joints_m, held.points_m, start.rotations)
+        rotations = fit_rotations(step, generic, held.joints_m, held.points_m, start.rotations)
         posed = pose_clone(step, generic, rotations)
         return rotations, truth_from_body(posed, generic, held.joints_m, held.points_m)
     return rotations_by_surface(step, generic, truth.surface, start.rotations)
@@ -171,7 +171,7 @@ def below_head_overlap(mask: Mask, truth: KnownTruth, view: str) -> float:
     rows = np.flatnonzero(truth.head_masks[view].any(axis=1))
     if len(rows):
         head[: rows[0] + int(0.8 * np.ptp(rows))] = True  # above the chin all is head: hair that the clone has, too
-    return rulers.overlap(mask & ~head, truth.views[view].mask & ~head)
+    return rulers.mask_iou(mask & ~head, truth.views[view].mask & ~head)
 
 
 def surface_scores(found: skins.BodyDistances, generic: GenericHuman) -> dict[str, Any]:
@@ -184,7 +184,7 @@ def surface_scores(found: skins.BodyDistances, generic: GenericHuman) -> dict[st
         for distances, vertex in sides:
             chosen = np.isin(generic.vertex_segment[vertex], rows) == inside
             if np.count_nonzero(chosen) > 20:
-                spreads.append(rulers.spread(distances[chosen] * MILLIMETRES_PER_METRE))
+                spreads.append(rulers.summarise(distances[chosen] * MILLIMETRES_PER_METRE))
         if not spreads:
             return None
         return float(np.mean([s.mean for s in spreads])), float(np.mean([s.p95 for s in spreads]))
@@ -201,7 +201,7 @@ def surface_scores(found: skins.BodyDistances, generic: GenericHuman) -> dict[st
     }
 
 
-def joint_errors_mm(posed: Posed, generic: GenericHuman, truth: KnownTruth) -> dict[str, Array]:
+def joint_errors_mm(posed: PosedClone, generic: GenericHuman, truth: KnownTruth) -> dict[str, Array]:
     """Return the (3,) offsets of the main joints from the truth's after the surfaces were aligned, mm."""
     own = joints_by_truth_name(posed, generic) | {name: posed.joints_m[generic.joint(name)] for name in truth.spine_m}
     true = {**truth.surface.joints_m, **truth.spine_m}
@@ -217,8 +217,8 @@ def score_outlines(values: Values, truth: KnownTruth) -> dict[str, Any]:
         true = truth.views[view.value].mask
         row: dict[str, float] = {}
         for name, mask in (("outline", silhouette.mask), ("mask", values["proposals"].views[view].mask > 127)):
-            spread = rulers.spread(rulers.outline_distances_px(mask, true))
-            row |= {f"{name}_iou": rulers.overlap(mask, true), f"{name}_px": spread.mean, f"{name}_p95_px": spread.p95}
+            spread = rulers.summarise(rulers.outline_distances_px(mask, true))
+            row |= {f"{name}_iou": rulers.mask_iou(mask, true), f"{name}_px": spread.mean, f"{name}_p95_px": spread.p95}
         linked = [source == "edges" for _, source, _ in silhouette.sources]
         found[view.value] = {**row, "edges_share": float(np.mean(linked or [False]))}
     return found

@@ -79,7 +79,8 @@ def figures(values: Mapping[str, Any], photos: Path) -> dict[str, Any]:
     clone = untextured(values["joined"])
     outlines = {view: one.mask for view, one in values["silhouettes"].views.items()}
     away = [
-        rulers.spread(rulers.outline_distances_px(mask, truth.views[view].mask)).mean for view, mask in outlines.items()
+        rulers.summarise(rulers.outline_distances_px(mask, truth.views[view].mask)).mean
+        for view, mask in outlines.items()
     ]
     seen = [
         likeness.seen_as_photo(clone, clone, generic, view, truth.views[view].mask)
@@ -87,7 +88,7 @@ def figures(values: Mapping[str, Any], photos: Path) -> dict[str, Any]:
     ]
     surface = truth.surface
     start = clone.views[ViewId.BODY_FRONT].rotations
-    posed, _, _ = posing.posed_as(clone, generic, surface.joints_m, surface.marks_m, start)
+    posed, _, _ = posing.pose_like_truth(clone, generic, surface.joints_m, surface.marks_m, start)
     body = skins.body_surface_mm(posed, generic, surface, rng=np.random.default_rng(0)).mean
     face = skins.face_surface_mm(posed, generic, surface, rng=np.random.default_rng(0)).similarity.mean
     found, marks = posing.landmarks(posed.features_m), posing.landmarks(surface.marks_m)

@@ -13,7 +13,7 @@ from PIL import Image
 from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import CYCLES, GARMENTS, STEP_M, Dressed, pattern_of, pictures
 from cloner.cloth.simulation.fabrics import FABRICS
@@ -21,7 +21,7 @@ from cloner.cloth.simulation.loop import REPEATS, Loop, best_loop
 from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
-from cloner.evaluate.measures.crossings import self_crossings
+from cloner.evaluate.measures.crossings import self_intersections
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
@@ -70,7 +70,7 @@ def jolt(loop: Loop) -> tuple[float, float]:
 
 def crossed_triangles(places: Array, worn: Worn) -> int:
     """Return how many triangles of the cloth cut others."""
-    return len(np.unique(self_crossings(places, worn.cloth.faces).pairs))
+    return len(np.unique(self_intersections(places, worn.cloth.faces).pairs))
 
 
 def refused(places: Array, worn: Worn) -> bool:
@@ -173,7 +173,9 @@ def main() -> None:
     parser.add_argument("--fabric", default="cotton")
     asked = parser.parse_args()
     clone = centre_joints(
-        clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0, "hip_girth": 990.0}), 512)
+        clone_of_measures(
+            BodySpecification("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0, "hip_girth": 990.0}), 512
+        )
     )
     motion, ring = own_motions(clone)[0], body_ring(clone, "natural_waist")
     fabric = FABRICS[asked.fabric]

@@ -23,10 +23,10 @@ from crowd_pictures import hybrid_table
 from skimage.metrics import structural_similarity
 
 from cloner.crowd.clones import stock
-from cloner.crowd.clones.cast import Cast, cast_of
+from cloner.crowd.clones.cast import CrowdClone, make_crowd_clone
 from cloner.crowd.clones.levels import body_levels
-from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX, Stock
-from cloner.crowd.drawing.impostors import Bake, bake, with_tiles
+from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX, CrowdArrays
+from cloner.crowd.drawing.impostors import BakeSettings, bake, with_tiles
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.check import blocks_bytes, check_pack, gpu_bytes
 from cloner.crowd.packs.pack import LARGEST_PX, stock_of
@@ -53,7 +53,7 @@ BARS = {"impostor": ".985, worst .975", "impostor, -10 degrees of elevation": ".
 class Person:
     """One clone in one theatre: level 0 is every triangle, the pack's levels follow."""
 
-    cast: Cast
+    cast: CrowdClone
     theatre: Theatre
 
     def shot(
@@ -94,21 +94,21 @@ def likeness(want: np.ndarray, got: np.ndarray) -> float:
 
 
 @functools.cache
-def held_by(pack: Path) -> tuple[dict[str, Any], Stock]:
+def held_by(pack: Path) -> tuple[dict[str, Any], CrowdArrays]:
     """Return a pack's facts and stock, read once a process."""
     facts = read_facts(pack)
     return facts, read_stock(pack, facts)
 
 
-def person_of(pack: Path, results: Path, k: int) -> tuple[Cast, Stock, Bake]:
+def person_of(pack: Path, results: Path, k: int) -> tuple[CrowdClone, CrowdArrays, BakeSettings]:
     """Return one of a pack's clones with every triangle before the pack's own levels."""
     (facts, held), body = held_by(pack), body_levels(full=True)
     row = facts["people"][k]
     clone = centre_joints(load_clone(results / row["id"] / CLONE_FILE))
     flow = load_flow(results / row["id"], clone)
-    cast = cast_of(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow, budgets=held.budgets)
+    cast = make_crowd_clone(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow, budgets=held.budgets)
     budgets = (len(cast.loose.triangles[0]), *held.budgets)
-    plan = Bake(row["views"], elevations=held.elevations, texels_per_m=facts["switch"]["texels_per_m"])
+    plan = BakeSettings(row["views"], elevations=held.elevations, texels_per_m=facts["switch"]["texels_per_m"])
     sets = [(int(one[0]), stock.Baked(int(one[2]))) for one in held.table[k, stock.SETS_AT :][: len(cast.clips)]]
     own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [sets], plan, budgets)
     own = replace(own, tiles=held.tiles[k : k + 1], colours=held.colours[k : k + 1], shapes=held.shapes[k : k + 1],
@@ -182,7 +182,9 @@ def one_looked_at(
     return cast.identifier, levels, rows
 
 
-def classics(cast: Cast, own: Stock, plan: Bake, seed: int, switch_px: float) -> Iterator[tuple[str, float]]:
+def classics(
+    cast: CrowdClone, own: CrowdArrays, plan: BakeSettings, seed: int, switch_px: float
+) -> Iterator[tuple[str, float]]:
     """Yield the source's way: one texel a pixel, the nearest view, no depth; colours directly, not by UV map."""
     body, thin = body_levels(full=True), replace(plan, texels_per_m=plan.texels_per_m / TEXELS_PER_PX)
     tiles = bake(cast, body, own, thin)

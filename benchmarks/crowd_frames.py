@@ -21,7 +21,7 @@ import numpy as np
 from PIL import Image
 
 from cloner.crowd.clones import stock
-from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.cast import make_crowd_clone
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.drawing.player import HELD, player_page
 from cloner.crowd.packs.files import packed
@@ -72,7 +72,7 @@ def whole_page(pack: Path, results: Path, folder: Path) -> tuple[Path, list[str]
         raise ValueError("a pack has impostors")
     rows = facts["people"][:CLONES]
     casts = [
-        cast_of(
+        make_crowd_clone(
             row["id"], centre_joints(load_clone(results / row["id"] / CLONE_FILE)), body, poses=16, budgets=held.budgets
         )
         for row in rows

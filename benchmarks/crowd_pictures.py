@@ -13,7 +13,7 @@ from skimage.metrics import structural_similarity
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs import still
 from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
-from cloner.crowd.staged.scene import PERSON_TEXELS, Casting, Dice, Scene, look_of
+from cloner.crowd.staged.scene import PERSON_TEXELS, Casting, Mulberry32, Scene, look_of
 
 PEOPLE, NEAR_M, FAR_M, POSES = 60, 12.0, 60.0, 16
 SIZE = (960, 540)
@@ -24,7 +24,7 @@ SHOWN = 8  # levels that a person must change a pixel by
 
 def field(clones: int, casting: Casting) -> Scene:
     """Return people who stand still in the middle of a step, as many on a square metre everywhere."""
-    dice, rows = Dice(7), []
+    dice, rows = Mulberry32(7), []
     for k in range(PEOPLE):
         away = (NEAR_M**2 + dice.roll() * (FAR_M**2 - NEAR_M**2)) ** 0.5
         aside, heading, phase = (dice.roll() - 0.5) * 1.16, dice.roll() * 2 * np.pi, dice.pick(POSES) / POSES

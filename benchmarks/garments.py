@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from cloner.bodies.children import stature_mm
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.population import SEXES, STATURE_MM, SURVEY_MM
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.cut import Cloth
 from cloner.cloth.drafting.pattern import check_pattern, length_m
 from cloner.cloth.dressing import GARMENTS, Dressed, dressed, pattern_of
@@ -43,11 +43,11 @@ AWAY = ((-2, -1), (-2, 1), (-1, -2), (-1, 0), (0, 0), (0, 2), (1, -1), (1, 2), (
 TOLD = ("bust_girth", "navel_girth", "hip_girth")
 
 
-def told_of(sex: str, tall: int, stout: int) -> Told:
+def told_of(sex: str, tall: int, stout: int) -> BodySpecification:
     """Return a body so many spreads from the mean in stature and in girths."""
     (mean, spread), girths = STATURE_MM[sex], SURVEY_MM[sex]
     mm = {key: girths[key][0] + stout * girths[key][1] for key in TOLD}
-    return Told(sex, (mean + tall * spread) / 1e3, mm)
+    return BodySpecification(sex, (mean + tall * spread) / 1e3, mm)
 
 
 PEOPLE = {
@@ -55,7 +55,7 @@ PEOPLE = {
     for tall, stout in sorted(AWAY, key=lambda each: abs(each[0]) + abs(each[1]))
     for sex in SEXES
 } | {
-    f"{'girl' if sex == 'f' else 'boy'} of {age:g}": Told(sex, stature_mm(sex, age)[0] / 1e3, {}, age)
+    f"{'girl' if sex == 'f' else 'boy'} of {age:g}": BodySpecification(sex, stature_mm(sex, age)[0] / 1e3, {}, age)
     for age in (5.0, 9.0, 13.0)
     for sex in SEXES
 }

@@ -13,8 +13,14 @@ from numpy.typing import NDArray
 
 from cloner.evaluate.figures.skins import EARS, in_face, skin_triangles
 from cloner.evaluate.measures.posing import LANDMARKS
-from cloner.evaluate.measures.rulers import Surface, align_by_nearest, apply, fit_similarity, inverse
-from cloner.evaluate.measures.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
+from cloner.evaluate.measures.rulers import (
+    Surface,
+    align_by_nearest,
+    fit_similarity,
+    inverse_transform,
+    transform_points,
+)
+from cloner.evaluate.measures.surfaces import PointSurface, TriangleSurface, sample_surface, visible_from_outside
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman, load_generic
 
@@ -44,7 +50,7 @@ def ruler(truth: TruthSurface) -> Ruler:
     bare = truth.kind == "bare"
     firm = bare | (truth.kind == "organ")
     asked = bare & in_told_face(truth.points_m, truth.marks_m)
-    seen = seen_from_outside(truth.points_m[asked], truth.normals[asked], truth.points_m[firm])
+    seen = visible_from_outside(truth.points_m[asked], truth.normals[asked], truth.points_m[firm])
     points, normals = truth.points_m[asked][seen], truth.normals[asked][seen]
     surface: Surface = PointSurface(points, normals, radius=0.006)
     if len(truth.bare_m):
@@ -70,7 +76,7 @@ def shown_skin() -> NDArray[np.int32]:
     corners = vertices[skin]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    seen = seen_from_outside(corners.mean(axis=1), across, np.vstack([points, organs]))
+    seen = visible_from_outside(corners.mean(axis=1), across, np.vstack([points, organs]))
     return np.asarray(skin[seen], dtype=np.int32)
 
 
@@ -86,8 +92,8 @@ def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, f
     for scale, name in ((True, "similarity"), (False, "rigid")):
         transform = align_by_nearest(measure.points, discs, scale=scale, turns=TURNS)
         factor = float(np.cbrt(np.linalg.det(transform[:3, :3])))
-        _, to_clone, _ = surface.closest(apply(inverse(transform), measure.points))
-        moved = apply(transform, samples)
+        _, to_clone, _ = surface.closest(transform_points(inverse_transform(transform), measure.points))
+        moved = transform_points(transform, samples)
         _, to_truth, _ = measure.surface.closest(moved[in_told_face(moved, measure.marks)])
         out[f"{name}_mm"] = 500.0 * float(factor * to_clone.mean() + to_truth.mean())
         out[f"{name}_p95_mm"] = 500.0 * float(np.quantile(factor * to_clone, 0.95) + np.quantile(to_truth, 0.95))
@@ -106,8 +112,8 @@ def _marks(vertices: Array, measure: Ruler, generic: GenericHuman) -> tuple[list
 def _placed(vertices: Array, own: Array, true: Array) -> tuple[Array, dict[str, float]]:
     """Return the head (V, 3) moved rigidly to the true landmarks, and how far its own lie off there, mm."""
     rigid, sized = (fit_similarity(own, true, scale=scale) for scale in (False, True))
-    away, free = (1e3 * np.linalg.norm(apply(transform, own) - true, axis=1) for transform in (rigid, sized))
-    return apply(rigid, vertices), {
+    away, free = (1e3 * np.linalg.norm(transform_points(transform, own) - true, axis=1) for transform in (rigid, sized))
+    return transform_points(rigid, vertices), {
         "landmarks_mean_mm": float(away.mean()),
         "landmarks_worst_mm": float(away.max()),
         "landmarks_free_mm": float(free.mean()),
@@ -117,7 +123,7 @@ def _placed(vertices: Array, own: Array, true: Array) -> tuple[Array, dict[str, 
 def worst_landmark(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, float]:
     """Return the distance of every landmark after rigid alignment on all, mm."""
     names, own, true = _marks(vertices, measure, generic)
-    away = np.linalg.norm(apply(fit_similarity(own, true, scale=False), own) - true, axis=1)
+    away = np.linalg.norm(transform_points(fit_similarity(own, true, scale=False), own) - true, axis=1)
     return {name: 1e3 * float(value) for name, value in zip(names, away, strict=True)}
 
 
@@ -132,10 +138,12 @@ def identified(clones: Sequence[Array], rulers: Sequence[Ruler], generic: Generi
         for other in rulers:
             true = np.array([other.marks[n] for n in marks])
             first = fit_similarity(vertices[rows], true, scale=True)
-            by_marks.append(np.linalg.norm(apply(first, vertices[rows]) - true, axis=1).mean())
-            discs = PointSurface(apply(first, points), normals @ _turn(first).T, radius=0.003)
+            by_marks.append(np.linalg.norm(transform_points(first, vertices[rows]) - true, axis=1).mean())
+            discs = PointSurface(transform_points(first, points), normals @ _turn(first).T, radius=0.003)
             found = align_by_nearest(other.points[:SEARCHED], discs, scale=True, turns=8)
-            by_surface.append(discs.closest(apply(inverse(found), other.points[:SEARCHED]))[1].mean())
+            by_surface.append(
+                discs.closest(transform_points(inverse_transform(found), other.points[:SEARCHED]))[1].mean()
+            )
         ranks["surface"].append(_rank(by_surface, index))
         ranks["landmarks"].append(_rank(by_marks, index))
     return ranks
@@ -160,5 +168,7 @@ def other_person(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict
     for scale, name in ((True, "similarity"), (False, "rigid")):
         found = align_by_nearest(measure.points, discs, scale=scale, turns=TURNS)
         factor = float(np.cbrt(np.linalg.det(found[:3, :3])))
-        out[f"{name}_mm"] = 1e3 * factor * float(surface.closest(apply(inverse(found), measure.points))[1].mean())
+        out[f"{name}_mm"] = (
+            1e3 * factor * float(surface.closest(transform_points(inverse_transform(found), measure.points))[1].mean())
+        )
     return out

@@ -29,7 +29,7 @@ from painted_people_pictures import BACKGROUNDS
 
 from cloner.body.outlined import outlined_photos
 from cloner.errors import ClonerError
-from cloner.evaluate.measures.rulers import apply, fit_similarity
+from cloner.evaluate.measures.rulers import fit_similarity, transform_points
 from cloner.evaluate.truths.kit import kit_people
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
@@ -69,7 +69,9 @@ def naked_mm(person: Path) -> np.ndarray:
     tree, joints = cKDTree(generic.vertices_m[: len(posed)]), np.array(generic.joints_m, np.float64)
     for row, joint in enumerate(joints):
         near = tree.query(joint, CARRIERS)[1]
-        joints[row] = apply(fit_similarity(generic.vertices_m[near], posed[near], scale=True), joint[None])[0]
+        joints[row] = transform_points(fit_similarity(generic.vertices_m[near], posed[near], scale=True), joint[None])[
+            0
+        ]
     return vector(whole, joints)
 
 

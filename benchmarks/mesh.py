@@ -24,11 +24,11 @@ from rig import arms_up, sitting
 
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.crossings import (
-    Crossings,
+    Intersections,
     buried_depths,
-    crossings_between,
-    seen_triangles,
-    self_crossings,
+    intersections_between,
+    self_intersections,
+    visible_triangles,
 )
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
@@ -135,13 +135,13 @@ def onlookers(points_m: Array) -> Iterator[Camera]:
         yield Camera(*VIEW_PX, level.focal_px, look_at(middle + away * way, middle))
 
 
-def seen_from_outside(points_m: Array, found: Crossings) -> tuple[NDArray[np.bool_], float]:
+def seen_from_outside(points_m: Array, found: Intersections) -> tuple[NDArray[np.bool_], float]:
     """Return which crossings (P,) somebody sees, and how much skin somebody sees from its inner side, mm2."""
     skin_count = int((load_generic().vertex_part == 0).sum())
     triangles = load_triangles()
     seen, worst = np.zeros(len(found.pairs), dtype=np.bool_), 0.0
     for camera in onlookers(points_m):
-        rows, depth = seen_triangles(points_m, triangles, camera)
+        rows, depth = visible_triangles(points_m, triangles, camera)
         pixel = np.round(camera.project(found.places_m)).astype(np.int64)
         pixel = np.clip(pixel, 0, np.array(VIEW_PX) - 1)
         seen |= camera.to_camera(found.places_m)[:, 2] < depth[pixel[:, 1], pixel[:, 0]] + SEEN_M
@@ -161,10 +161,10 @@ def figures(clone: Clone, rotations: Array) -> Figures:
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
     joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
     points = linear_blend_skinning(clone.vertices_m, transforms, joints, weights)
-    every = self_crossings(points, triangles)
+    every = self_intersections(points, triangles)
     lip = (generic.region("lips") | generic.region("mouth_interior"))[triangles].any(axis=1)
     lips = lip[every.pairs].all(axis=1)
-    found = Crossings(every.pairs[~lips], every.places_m[~lips])
+    found = Intersections(every.pairs[~lips], every.places_m[~lips])
     depths = buried_depths(points, triangles, found)
     seen, inside_out = seen_from_outside(points, found)
     deep = depths[triangles[found.pairs]].max(axis=(1, 2)) > TOUCH_M
@@ -172,7 +172,7 @@ def figures(clone: Clone, rotations: Array) -> Figures:
     shells = 0
     for shell in clone.shells:
         posed = linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
-        shells += len(crossings_between(posed[shell.triangles], points[triangles]).pairs)
+        shells += len(intersections_between(posed[shell.triangles], points[triangles]).pairs)
     places = Counter(pair[0] if pair[0] == pair[1] else " and ".join(pair) for pair in named)
     return Figures(places, int(seen.sum()), int((seen & deep).sum()), 1e3 * float(depths.max()), inside_out,
                    int(lips.sum()), shells)  # fmt: skip
@@ -213,10 +213,10 @@ def picture(clones: Mapping[str, Clone]) -> NDArray[np.uint8]:
             points = linear_blend_skinning(
                 clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
             )
-            found = self_crossings(points, triangles)
+            found = self_intersections(points, triangles)
             for camera in framing_cameras(every, [30.0, 200.0], *PANEL):
                 panel = draw(layers, camera, shading="soft", background=(240, 240, 240)).copy()
-                depth = seen_triangles(points, triangles, camera)[1]
+                depth = visible_triangles(points, triangles, camera)[1]
                 column, row = np.round(camera.project(found.places_m)).astype(np.int64).T
                 shown = camera.to_camera(found.places_m)[:, 2] < depth[row, column] + SEEN_M
                 panel[row[shown], column[shown]] = (255, 0, 0)

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.exporters.gltf.gltf import export
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
@@ -27,7 +27,7 @@ from cloner.records.clones import Clone
 from cloner.render import draw
 from cloner.statues.blobs import field_of
 from cloner.statues.carved import statue_of
-from cloner.statues.envelope import enveloped
+from cloner.statues.envelope import fit_to_blobs
 from cloner.statues.markers import MARKED, known_points
 from cloner.statues.materials import MATERIALS
 from cloner.statues.photo_fit import fit_markers, fit_photo, mark
@@ -94,7 +94,7 @@ def sitter(clone: Clone, rng: np.random.Generator) -> Clone:
 
 
 def faces() -> list[str]:
-    generic, base = load_generic(), clone_of_measures(Told("m", 1.75, {}), 1024)
+    generic, base = load_generic(), clone_of_measures(BodySpecification("m", 1.75, {}), 1024)
     points = known_points()
     vertex = np.array([points[name] for name in MARKED])
     mesh = mesh_of(base)
@@ -159,11 +159,11 @@ def bodies() -> list[str]:
             "| body | blobs | skin from the body, mean mm | 95 % | skin from the blobs, mean mm | rays that met none | CPU s: fit, lay |", "| --- | --- | --- | --- | --- | --- | --- |"]  # fmt: skip
     for sex, stature, bust, waist, hip in BODIES:
         told = {"bust_girth": 10.0 * bust, "waist_girth": 10.0 * waist, "hip_girth": 10.0 * hip}
-        clone = clone_of_measures(Told(sex, stature, told), 512)
+        clone = clone_of_measures(BodySpecification(sex, stature, told), 512)
         start = time.process_time()
         blobs = usual_blobs(clone.vertices_m, clone.joints_m)
         middle = time.process_time()
-        found = enveloped(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
+        found = fit_to_blobs(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
         end = time.process_time()
         laid = np.isfinite(found.off_m)
         moved = 1000.0 * np.linalg.norm(found.vertices_m - clone.vertices_m, axis=1)[laid]

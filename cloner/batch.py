@@ -16,8 +16,8 @@ from cloner.errors import Cancelled, ClonerError
 from cloner.exporters.table import check_formats
 from cloner.machines.farm import Task, run_tasks, watchdog
 from cloner.making import DEFAULT_TEXTURE_SIZE, check_texture_size
-from cloner.project.atomic import check_writable, sweep
-from cloner.project.claims import claimed
+from cloner.project.atomic import check_writable, recover
+from cloner.project.claims import claim
 from cloner.project.manifest import Visitor, find_visitors, shard
 from cloner.project.stamps import input_stamp, why_not_current
 from cloner.records.batches import CLONED, FAILED, SKIPPED, BatchRow
@@ -101,7 +101,7 @@ def batch_folder(
                 told(row, len(rows), len(visitors))
     finally:
         if out.is_dir():
-            sweep(out)  # what a worker that was killed here left
+            recover(out)  # what a worker that was killed here left
         rows.sort(key=lambda row: row.identifier)
         if out.is_dir():
             suffix = f"-{options.shard.replace('/', '-of-')}" if options.shard else ""
@@ -144,7 +144,7 @@ def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRo
     start = time.perf_counter()
     identifier = visitor.identifier
     try:
-        with claimed(out, identifier) as ours:
+        with claim(out, identifier) as ours:
             if not ours:
                 return BatchRow(identifier, SKIPPED, 0.0, 0, "another run is cloning it just now")
             return _clone(visitor, out, options, start)

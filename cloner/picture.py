@@ -14,7 +14,7 @@ from PIL.PngImagePlugin import PngInfo
 
 from cloner.errors import ClonerError
 from cloner.geometry.cameras.viewpoints import framing_cameras
-from cloner.project.atomic import appears, safe_output
+from cloner.project.atomic import atomic_file, safe_output
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.clones import Clone
 from cloner.render import clone_layers, draw, render, standard_camera
@@ -54,7 +54,7 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
         raise ClonerError("a turntable is a film", f"Give --out one of {', '.join(FORMATS)}", out.name)
     safe_output(out)
     clone = load_clone_at(clone_path)
-    with appears(out) as temporary:
+    with atomic_file(out) as temporary:
         if view == TURNTABLE:
             write_film(turntable(clone, width, height), TURN_FRAMES / TURN_SECONDS, temporary)
         else:

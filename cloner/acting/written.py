@@ -22,9 +22,9 @@ from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
 from cloner.crowd.drawing.player import ACTED_FILE, BODY_FILE, player_page
 from cloner.crowd.packs.files import MARK, digest, pack_folder, packed
-from cloner.crowd.packs.reading import casting_from, checked, read_facts, read_stock
+from cloner.crowd.packs.reading import casting_from, read_checked, read_facts, read_stock
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
-from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
+from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Mulberry32, look_of, scale_of
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, no_progress
 from cloner.untrusted import open_untrusted
@@ -149,7 +149,7 @@ def write_acted(
     with pack_folder(out) as folder:
         for name in kept:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(checked(pack, name, facts))
+            (folder / name).write_bytes(read_checked(pack, name, facts))
         for name, own in files.items():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_bytes(own)
@@ -237,7 +237,7 @@ def acted_by(
 
 def _people(count: int, casting: Casting) -> NDArray[np.float32]:
     """Return the rows of people by clone, size, phase and look; neighbours in number are different clones."""
-    dice = Dice(1)
+    dice = Mulberry32(1)
     rows = np.zeros((count, 5, 4), np.float32)
     order: Sequence[int] = []
     for who in range(count):

@@ -1,1 +1,1 @@
-"""Bodies from measures: a clone where there is no photograph, and a clone that is told new measures."""
+"""Bodies from measures: a clone without photographs, and a clone changed to new measures."""

@@ -1,4 +1,4 @@
-"""Skin painted where clothes were: the person's own tone carried on over the body, with the grain of their own skin."""
+"""Skin painted where clothes were: the person's own skin tone, with synthesised grain."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ UNEVEN: Final = 0.006
 STRONGEST: Final = 2.0
 
 
-def bared(clone: Clone, bare: Flags, sex: str, rng: np.random.Generator) -> TextureAtlas:
+def paint_bare_skin(clone: Clone, bare: Flags, sex: str, rng: np.random.Generator) -> TextureAtlas:
     """Return the clone's texture with skin where it was dressed, and underwear.
 
     Parameters

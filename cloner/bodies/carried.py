@@ -1,4 +1,4 @@
-"""How joints follow the skin round them, and hair and loose cloth the skin below."""
+"""Joints that follow the skin around them, and hair and loose cloth that follow the skin below."""
 
 from __future__ import annotations
 
@@ -37,19 +37,19 @@ def _rings() -> csr_array:
     return csr_array(both)
 
 
-def joints_follow(shift_m: Array) -> Array:
-    """Return (94, 3) how far the joints go when the skin goes (V, 3) metres."""
+def joint_shifts(shift_m: Array) -> Array:
+    """Return the displacements (94, 3) of joints for displacements of the skin (V, 3), metres."""
     return np.asarray(_rings() @ shift_m)
 
 
-def carried(points_m: Array, skin_m: Array, shift_m: Array) -> Array:
-    """Return points (N, 3) that go with the skin nearest to them."""
+def move_with_skin(points_m: Array, skin_m: Array, shift_m: Array) -> Array:
+    """Return points (N, 3) moved with the nearest skin."""
     away, rows = cKDTree(skin_m).query(points_m, k=NEAREST)
     weight = 1.0 / np.maximum(away, 1e-4)
     weight /= weight.sum(axis=1, keepdims=True)
     return np.asarray(points_m + np.einsum("nk,nka->na", weight, shift_m[rows]))
 
 
-def carried_shells(shells: Iterable[Shell], skin_m: Array, shift_m: Array) -> tuple[Shell, ...]:
-    """Return hair and loose cloth that go with the skin (N, 3) below them when it goes (N, 3) metres."""
-    return tuple(replace(shell, vertices_m=carried(shell.vertices_m, skin_m, shift_m)) for shell in shells)
+def move_shells_with_skin(shells: Iterable[Shell], skin_m: Array, shift_m: Array) -> tuple[Shell, ...]:
+    """Return hair and loose cloth moved with the skin (N, 3) below them, displacements (N, 3) metres."""
+    return tuple(replace(shell, vertices_m=move_with_skin(shell.vertices_m, skin_m, shift_m)) for shell in shells)

@@ -46,7 +46,7 @@ class Family:
         return BodyMesh(self.base.vertices_m + shift, joints)
 
 
-def usual(sex: str, age_years: float) -> Array:
+def usual_coefficients(sex: str, age_years: float) -> Array:
     """Return (C,) the likeliest coefficients of a woman or girl ("f"), a man or boy ("m") of an age."""
     if age_years < GROWN:
         return children(sex).at(age_years)[0]
@@ -60,7 +60,7 @@ def usual(sex: str, age_years: float) -> Array:
 def usual_body(sex: str, stature_m: float, age_years: float) -> BodyMesh:
     """Return the usual woman, man, girl or boy of a stature and an age."""
     generic, scale = load_generic(), stature_m / GENERIC_STATURE_M
-    coefficients = usual(sex, age_years)
+    coefficients = usual_coefficients(sex, age_years)
     vertices, joints = generic.shape(coefficients, stature_m)
     if age_years < GROWN:  # a mean of drawn children, whole; adults are a line through theirs, heads apart
         return BodyMesh(vertices, joints)

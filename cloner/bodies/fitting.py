@@ -1,4 +1,4 @@
-"""The likeliest body of the family that has the told measures (damped Gauss-Newton)."""
+"""The most likely body of the family with given measures (damped Gauss-Newton)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ROUNDS: Final = 4
 STEP: Final = 1.2
 
 
-def fitted(
+def fit_measures(
     family: Family,
     rules: TapeRules,
     told_mm: Mapping[str, float],
@@ -30,7 +30,7 @@ def fitted(
     *,
     seat: bool,
 ) -> BodyMesh:
-    """Return the body of the family nearest to the told measures and, looser, to the likeliest untold ones.
+    """Return the body of the family closest to the given measures and, with less weight, to the likeliest other ones.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Told heights and lengths: levels of the trunk and legs go up or down, arms grow, shoulders go apart."""
+"""Given heights and lengths: levels of trunk and legs move vertically, arms lengthen, shoulders widen."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from cloner.bodies.carried import joints_follow
+from cloner.bodies.carried import joint_shifts
 from cloner.bodies.ruler import read
 from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
@@ -25,8 +25,8 @@ HEIGHTS: Final = ("knee_height", "inside_leg_height", "waist_height", "back_neck
 SIDES: Final = ("left", "right")
 
 
-def stretched(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float]) -> BodyMesh:
-    """Return the body with every told length met; the skull's top and the soles stay.
+def stretch_lengths(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float]) -> BodyMesh:
+    """Return the body with every given length met; the skull's top and the soles are fixed.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def stretched(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float]) ->
             step += _apart(vertices, rules, gap["shoulder_width"] / 2.0)
         if "arm_length" in gap:
             step += _longer(joints, vertices, gap["arm_length"])
-        vertices, joints = vertices + step, joints + joints_follow(step)
+        vertices, joints = vertices + step, joints + joint_shifts(step)
     return BodyMesh(vertices, joints)
 
 

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from cloner.bodies.carried import carried_shells
+from cloner.bodies.carried import move_shells_with_skin
 from cloner.bodies.children import GROWN
 from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import read
 from cloner.bodies.skin import CHILD, painted, regions
-from cloner.bodies.telling import Told, check_told
+from cloner.bodies.telling import BodySpecification, check_specification
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
@@ -24,7 +24,7 @@ from cloner.records.terms import Terms
 from cloner.stages.join import eye_joints, flat_soles
 
 
-def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
+def clone_of_measures(told: BodySpecification, size: int, seed: int = 0) -> Clone:
     """Return the clone of a body that only a tape knows.
 
     Parameters
@@ -55,7 +55,7 @@ def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
     )  # fmt: skip
 
 
-def figure(told: Told) -> BodyMesh:
+def figure(told: BodySpecification) -> BodyMesh:
     """Return the shape alone of a body that only a tape knows, with flat soles on y = 0 and eyes in their sockets.
 
     Raises
@@ -63,13 +63,13 @@ def figure(told: Told) -> BodyMesh:
     ClonerError
         If nobody has these measures.
     """
-    check_told(told)
+    check_specification(told)
     generic, body = load_generic(), measured_body(told)
     vertices = flat_soles(generic, body.vertices_m, 0.0)
     return BodyMesh(vertices, eye_joints(generic, body.joints_m, vertices))
 
 
-def remeasured_clone(clone: Clone, told: Told) -> Clone:
+def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
     """Return a clone changed to new measures of the body under its clothes, and else as little as may be.
 
     The surface of a clone is that of its clothes: each told measure moves it by what the body itself changes.
@@ -85,7 +85,7 @@ def remeasured_clone(clone: Clone, told: Told) -> Clone:
     ClonerError
         If nobody has these measures.
     """
-    check_told(told)
+    check_specification(told)
     generic, rules = load_generic(), load_tape_rules()
     clone = scaled_clone(clone, told.stature_m / clone.stature_m)
     lift = np.array([0.0, clone.sole_m, 0.0])
@@ -102,7 +102,7 @@ def remeasured_clone(clone: Clone, told: Told) -> Clone:
         clone,
         vertices_m=vertices,
         joints_m=after.joints_m + lift,
-        shells=carried_shells(clone.shells, clone.vertices_m[skin], shift[skin]),
+        shells=move_shells_with_skin(clone.shells, clone.vertices_m[skin], shift[skin]),
         features_m=named_features(generic, vertices),
         measures_mm={
             key: round(told.mm.get(key, value + now[key] - old[key]), 1) for key, value in clone.measures_mm.items()

@@ -1,4 +1,4 @@
-"""A body that has told measures: the family first, then lengths, then the regions."""
+"""A body with given measures: the family first, then lengths, then local girth fields."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import Final
 import numpy as np
 
 from cloner.bodies.family import round_body, usual_body
-from cloner.bodies.fitting import fitted
-from cloner.bodies.lengths import stretched
-from cloner.bodies.regions import met
+from cloner.bodies.fitting import fit_measures
+from cloner.bodies.lengths import stretch_lengths
+from cloner.bodies.regions import meet_girths
 from cloner.bodies.ruler import read
-from cloner.bodies.telling import GIRTHS, LENGTHS, Told, refused, untold_mm
+from cloner.bodies.telling import GIRTHS, LENGTHS, BodySpecification, refused, untold_mm
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import TapeRules
 from cloner.geometry.outlines.settling import without_folds
@@ -37,7 +37,7 @@ LIKELY: Final = (
 )  # fmt: skip
 
 
-def measured_body(told: Told) -> BodyMesh:
+def measured_body(told: BodySpecification) -> BodyMesh:
     """Return the likeliest body with the told measures, soles on y = 0.
 
     Raises
@@ -50,11 +50,11 @@ def measured_body(told: Told) -> BodyMesh:
     base = usual_body(told.sex, told.stature_m, told.age_years)
     family = round_body(base, told.stature_m)
     rules = load_tape_rules()
-    first = fitted(family, rules, told.mm, untold, seat=told.seat)
-    return _smooth(first, _likely(_close(first, told, rules), told, usual, rules), rules)
+    first = fit_measures(family, rules, told.mm, untold, seat=told.seat)
+    return _smooth(first, _likely(_meet_or_refuse(first, told, rules), told, usual, rules), rules)
 
 
-def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
+def remeasured_body(body: BodyMesh, told: BodySpecification) -> BodyMesh:
     """Return a known body changed as little as the told measures ask for, soles on y = 0.
 
     Raises
@@ -63,8 +63,8 @@ def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
         If a measure cannot be met.
     """
     rules = load_tape_rules()
-    first = fitted(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat)
-    return _smooth(first, _close(first, told, rules), rules)
+    first = fit_measures(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat)
+    return _smooth(first, _meet_or_refuse(first, told, rules), rules)
 
 
 def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
@@ -72,7 +72,9 @@ def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
     return replace(body, vertices_m=without_folds(first.vertices_m, body.vertices_m, rules.skin))
 
 
-def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]], rules: TapeRules) -> BodyMesh:
+def _likely(
+    body: BodyMesh, told: BodySpecification, untold: Mapping[str, tuple[float, float]], rules: TapeRules
+) -> BodyMesh:
     """Return the body with unlikely untold measures brought near the likeliest, as far as those told stay met."""
     usual = {key: pair for key, pair in untold.items() if key in (*GIRTHS, *LENGTHS)}
     shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=told.seat).mm
@@ -87,16 +89,16 @@ def _likely(body: BodyMesh, told: Told, untold: Mapping[str, tuple[float, float]
         if not asked or asked == tried:
             continue
         tried = asked
-        found = _brought(body, {**told.mm, **asked}, told, rules)
+        found = _meet_measures(body, {**told.mm, **asked}, told, rules)
         now = read(found.vertices_m, found.joints_m, rules, tuple(told.mm), seat=told.seat).mm
         if all(abs(now[key] - value) < KEPT_MM * (1 if key in GIRTHS else 2) for key, value in told.mm.items()):
             return found
     return body
 
 
-def _close(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:
-    """Return the body with the told measures met, or refuse the worst of them."""
-    body = _brought(body, told.mm, told, rules)
+def _meet_or_refuse(body: BodyMesh, told: BodySpecification, rules: TapeRules) -> BodyMesh:
+    """Return the body with the given measures met, or refuse the worst of them."""
+    body = _meet_measures(body, told.mm, told, rules)
     shown = read(body.vertices_m, body.joints_m, rules, tuple(told.mm), seat=told.seat).mm
     worst = max(told.mm, key=lambda key: abs(shown[key] - told.mm[key]), default="")
     if worst and abs(shown[worst] - told.mm[worst]) > FAR_MM:
@@ -104,10 +106,10 @@ def _close(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:
     return body
 
 
-def _brought(body: BodyMesh, mm: Mapping[str, float], told: Told, rules: TapeRules) -> BodyMesh:
-    """Return the body brought to lengths and girths; each round undoes what the other moved."""
+def _meet_measures(body: BodyMesh, mm: Mapping[str, float], told: BodySpecification, rules: TapeRules) -> BodyMesh:
+    """Return the body with lengths and girths met, alternating, as each disturbs the other."""
     lengths = {key: value for key, value in mm.items() if key in LENGTHS}
     girths = {key: value for key, value in mm.items() if key in GIRTHS}
     for _ in range(ROUNDS if lengths else 1):
-        body = met(stretched(body, rules, lengths), rules, girths, told.sex, seat=told.seat)
+        body = meet_girths(stretch_lengths(body, rules, lengths), rules, girths, told.sex, seat=told.seat)
     return body

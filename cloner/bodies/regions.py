@@ -1,4 +1,4 @@
-"""The regions of the source take what the family leaves: every told girth is met by the field of its own region."""
+"""Local fields for the girths that the family cannot reach, one per body region."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from cloner.bodies import sections
-from cloner.bodies.carried import joints_follow
+from cloner.bodies.carried import joint_shifts
 from cloner.bodies.ruler import girth_slopes, level_slopes, tapes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.measurement.measures import Plane, TapeRules, mean_girth_mm, slice_points
@@ -34,8 +34,8 @@ LEVELS: Final = ("underbust_girth", "waist_girth")
 APART_M: Final = 0.0005
 
 
-def met(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float], sex: str, *, seat: bool) -> BodyMesh:
-    """Return the body with every told girth met.
+def meet_girths(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float], sex: str, *, seat: bool) -> BodyMesh:
+    """Return the body with every given girth met.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def met(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float], sex: str
         share = np.clip(np.linalg.solve(damped, slopes.T @ gap), -FARTHEST_M, FARTHEST_M)
         step = np.tensordot(share, own, axes=1)
         vertices = _apart(generic, before, vertices + step)
-        joints = joints + joints_follow(step)
+        joints = joints + joint_shifts(step)
     return BodyMesh(vertices, joints)
 
 

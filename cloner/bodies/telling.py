@@ -1,4 +1,4 @@
-"""What somebody told of a body, checked before it is believed."""
+"""The specification of a body, with plausibility checks."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ _MEASURE: Final = "Measure again"
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
-    """What was told of a body.
+class BodySpecification:
+    """What is given of a body.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ def statures_m(sex: str, age_years: float) -> tuple[float, float]:
     return (median - FAR * spread) / 1e3, (median + FAR * spread) / 1e3
 
 
-def check_told(told: Told) -> None:
+def check_specification(told: BodySpecification) -> None:
     """Refuse what no body can have.
 
     Raises
@@ -114,7 +114,7 @@ def check_told(told: Told) -> None:
     _check_likely(told)
 
 
-def _check_likely(told: Told) -> None:
+def _check_likely(told: BodySpecification) -> None:
     """Refuse measures far from everybody's, alone or beside the others."""
     everybody = people(told.sex, told.age_years)
     for key, value in told.mm.items():
@@ -125,7 +125,9 @@ def _check_likely(told: Told) -> None:
         _check_near(told, key, value, alike.spread_mm(key, told.stature_m), FAR_TOGETHER, alone=False)
 
 
-def _check_near(told: Told, key: str, value: float, usual: tuple[float, float], far: float, *, alone: bool) -> None:
+def _check_near(
+    told: BodySpecification, key: str, value: float, usual: tuple[float, float], far: float, *, alone: bool
+) -> None:
     mean, spread = usual[0], max(usual[1], 0.02 * usual[0])
     if abs(value - mean) > far * spread:
         hint = f"Measure again; {_cm(mean - far * spread)} to {_cm(mean + far * spread)} can be made"
@@ -139,7 +141,7 @@ def refused(key: str, error_mm: float, wanted_mm: float) -> ClonerError:
     return ClonerError(message, "Measure it again, or leave it out", key)
 
 
-def untold_mm(told: Told) -> dict[str, tuple[float, float]]:
+def untold_mm(told: BodySpecification) -> dict[str, tuple[float, float]]:
     """Return the likeliest value and the spread of every measure beside those told, mm."""
     alike = people(told.sex, told.age_years).told(told.stature_m, told.mm)
     deviation = told.stature_m * np.sqrt(np.maximum(np.diag(alike.covariance), 0.0))

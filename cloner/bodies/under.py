@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.bodies.bare import HEAD
 from cloner.bodies.family import Family, round_body
-from cloner.bodies.regions import met
+from cloner.bodies.regions import meet_girths
 from cloner.bodies.ruler import Reading, girth_slopes, level_slopes, read
 from cloner.bodies.telling import GIRTHS
 from cloner.generic.charts import person_graph
@@ -58,7 +58,7 @@ def body_under(dressed: BodyMesh, bare: Flags, girths_mm: Mapping[str, float], s
     body = _fitted(generic, dressed, bare, told, stature_m)
     graph = person_graph(generic, body.vertices_m)
     body = BodyMesh(_onto(generic, graph, body, dressed, bare), dressed.joints_m)
-    body = met(body, rules, told, sex, seat=False)
+    body = meet_girths(body, rules, told, sex, seat=False)
     own = bare | ~generic.skin
     still = np.where(own, 1.0, graph.smooth(own.astype(np.float64), 4))[:, None]
     return BodyMesh(still * dressed.vertices_m + (1.0 - still) * body.vertices_m, dressed.joints_m)

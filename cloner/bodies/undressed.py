@@ -10,8 +10,8 @@ from typing import Final
 import numpy as np
 
 from cloner.bodies.bare import NAPE, bare_skin
-from cloner.bodies.bared import bared
-from cloner.bodies.carried import carried
+from cloner.bodies.bared import paint_bare_skin
+from cloner.bodies.carried import move_with_skin
 from cloner.bodies.population import SEXES
 from cloner.bodies.skin import regions
 from cloner.bodies.under import body_under
@@ -117,7 +117,7 @@ def undressed_clone(clone: Clone, sex: str, seed: int = 0) -> Clone:
     skin = np.flatnonzero(generic.skin)
     shift = vertices - dressed.vertices_m
     shells = tuple(
-        replace(shell, vertices_m=carried(shell.vertices_m - lift, dressed.vertices_m[skin], shift[skin]))
+        replace(shell, vertices_m=move_with_skin(shell.vertices_m - lift, dressed.vertices_m[skin], shift[skin]))
         for shell in clone.shells
         if shell.kind not in ("cloth", "scarf")
     )
@@ -130,7 +130,7 @@ def undressed_clone(clone: Clone, sex: str, seed: int = 0) -> Clone:
         clone,
         vertices_m=vertices,
         joints_m=body.joints_m,
-        atlas=bared(clone, bare, sex, np.random.default_rng(seed)),
+        atlas=paint_bare_skin(clone, bare, sex, np.random.default_rng(seed)),
         shells=shells,
         features_m=named_features(generic, vertices),
         views={},  # their cameras saw the person dressed

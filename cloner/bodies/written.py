@@ -12,7 +12,7 @@ from typing import Final
 from cloner.bodies.children import USUAL_AGE
 from cloner.bodies.made import clone_of_measures, remeasured_clone
 from cloner.bodies.ruler import read
-from cloner.bodies.telling import GIRTHS, LENGTHS, Told, untold_mm
+from cloner.bodies.telling import GIRTHS, LENGTHS, BodySpecification, untold_mm
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.tape import load_tape_rules
@@ -94,11 +94,11 @@ def body_folder(
 
 def _told(
     sex: str, stature_cm: float | None, measures_cm: Mapping[str, float], age_years: float, old: Clone | None
-) -> Told:
+) -> BodySpecification:
     """Return what is told of a new body, or of a clone, which keeps its stature and sex where they are not told."""
     stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
     whose = sex or (sex_of(old) if old is not None else "")
-    return Told(whose, stature_m, _tape(measures_cm, stature_m), age_years)
+    return BodySpecification(whose, stature_m, _tape(measures_cm, stature_m), age_years)
 
 
 def _tape(measures_cm: Mapping[str, float], stature_m: float) -> dict[str, float]:
@@ -113,7 +113,7 @@ def sex_of(clone: Clone) -> str:
     return "m" if chest > 0.88 * hip > 0.0 else "f"
 
 
-def _stamp(told: Told, identifier: str, size: int, old: Clone | None) -> str:
+def _stamp(told: BodySpecification, identifier: str, size: int, old: Clone | None) -> str:
     """Return what every file says of how it was made; a changed clone keeps what tells whose it is."""
     changed = ", ".join(f"{key.replace('_', ' ')} {value:.1f}" for key, value in told.mm.items())
     if old is not None:
@@ -122,7 +122,7 @@ def _stamp(told: Told, identifier: str, size: int, old: Clone | None) -> str:
     return stamp_text(0, size, [hashlib.sha256(text.encode()).hexdigest()])
 
 
-def _said(clone: Clone, told: Told, old: Clone | None) -> tuple[str, ...]:
+def _said(clone: Clone, told: BodySpecification, old: Clone | None) -> tuple[str, ...]:
     """Return one line a told measure, and what of the untold ones is unlikely."""
     shown = read(clone.vertices_m, clone.joints_m, load_tape_rules(), tuple(told.mm), clone.sole_m, seat=told.seat).mm
     lines = [

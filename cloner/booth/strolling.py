@@ -16,7 +16,7 @@ from PIL.PngImagePlugin import PngInfo
 from cloner.booth.visitors.kept import CLONE_FILE
 from cloner.booth.worker import Progress
 from cloner.errors import ClonerError
-from cloner.project.atomic import appears
+from cloner.project.atomic import atomic_file
 from cloner.project.clone_file import load_clone
 from cloner.records.clones import Clone
 
@@ -52,7 +52,7 @@ def draw_stroll(visitor: Path, result: Path, progress: Progress) -> Path:
         told.add_text(key, f"{value:.4f}")
     try:
         (visitor / FILE).parent.mkdir(exist_ok=True)
-        with appears(visitor / FILE) as temporary:
+        with atomic_file(visitor / FILE) as temporary:
             Image.fromarray(whole).save(temporary, format="PNG", pnginfo=told)
     except OSError as error:
         raise ClonerError("it cannot be written there", "Check the folder and its space", visitor.name) from error

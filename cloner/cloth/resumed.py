@@ -14,7 +14,7 @@ from cloner.cloth.simulation.forces import Slips
 from cloner.cloth.simulation.moving import Worn
 from cloner.cloth.simulation.solver import State
 from cloner.exporters.shared.files import write_bytes
-from cloner.project.archives import BROKEN, opened
+from cloner.project.archives import BROKEN, open_archive
 from cloner.records.arrays import Array
 
 #: No simulation's frames take more: three hundred of twenty thousand vertices are a tenth of it.
@@ -59,7 +59,7 @@ def keep(path: Path, key: str, stamp: str, frames_m: list[Array], state: State) 
 def kept(path: Path, key: str) -> tuple[list[Array], State] | None:
     """Return the frames of the same simulation and the state after them; None where there are none."""
     try:
-        with opened(path, MOST_BYTES) as told:
+        with open_archive(path, MOST_BYTES) as told:
             if str(told["key"]) != key:
                 return None
             frames, speeds = told["frames_m"], told["speeds_m_s"]

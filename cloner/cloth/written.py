@@ -24,7 +24,7 @@ from cloner.exporters.vat import PICTURE, REMAP, check_count
 from cloner.motion.limbs.rig import centre_joints
 from cloner.picture import load_clone_at
 from cloner.pipeline import Progress, no_progress
-from cloner.project.atomic import appears, safe_output
+from cloner.project.atomic import atomic_file, safe_output
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.vision.photographs.films import FORMATS as FILMS
@@ -177,7 +177,7 @@ def write_dressed(found: Dressed, out: Path) -> None:
         for end, data in WRITERS[kind](found).items():
             write_bytes(out if end == kind else out.with_name(out.stem + end), data)
         return
-    with appears(out) as temporary:
+    with atomic_file(out) as temporary:
         write_film(list(pictures(found)), FRAMES_PER_S, temporary)
 
 

@@ -54,7 +54,7 @@ def _make(
     The word make may be left out.
     """
     from cloner.crowd.packs.pack import make_pack
-    from cloner.crowd.packs.wanted import Wanted, rings_of
+    from cloner.crowd.packs.wanted import PackOptions, rings_of
 
     carved = None
     if statues:
@@ -62,7 +62,7 @@ def _make(
 
         check_material(statues)
         carved = partial(statue_of, material=statues)
-    wanted = Wanted(
+    wanted = PackOptions(
         people,
         views,
         poses,

@@ -17,13 +17,13 @@ from cloner.evaluate.figures import likeness, skins
 from cloner.evaluate.figures.parts import wrong_part_share
 from cloner.evaluate.figures.seams import seam_ratios
 from cloner.evaluate.measures.posing import JOINTS, joints_by_truth_name, pose_clone
-from cloner.evaluate.measuring import CloneRun, clone_apart
+from cloner.evaluate.measuring import CloneRun, clone_in_process
 from cloner.evaluate.rows import Row, rows_of, save_held_out
 from cloner.evaluate.scores import Score, girth_scores, held_out_scores, landmark_scores, leak_scores, score_run
 from cloner.evaluate.truths.baselines import generic_clone
-from cloner.evaluate.truths.kit import KIT_SET, KitTruth, is_kit_person, photos_alone, read_kit
+from cloner.evaluate.truths.kit import KIT_SET, KitTruth, is_kit_person, photos_without_truth, read_kit
 from cloner.evaluate.truths.labels import label_ious
-from cloner.evaluate.truths.truth import THREE_QUARTER, told_height_m
+from cloner.evaluate.truths.truth import THREE_QUARTER, given_height_m
 from cloner.frames import BODY_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.clones import Clone
@@ -63,7 +63,7 @@ def evaluate_people(
         As :func:`cloner.evaluate.evaluate_visitors`; of a refused person the row ``cloned`` alone.
     """
     rows: list[Row] = []
-    queue = [*people, *_companion(people)]
+    queue = [*people, *_neighbour_person(people)]
     with ExitStack() as kept:
         place = out or Path(kept.enter_context(tempfile.TemporaryDirectory(prefix="cloner-evaluate-")))
         first: CloneRun | None = None
@@ -79,7 +79,7 @@ def evaluate_people(
     return rows
 
 
-def _companion(people: Sequence[Path]) -> list[Path]:
+def _neighbour_person(people: Sequence[Path]) -> list[Path]:
     """Return a neighbour folder for one person alone, to compare with."""
     if len(people) != 1:
         return []
@@ -89,9 +89,9 @@ def _companion(people: Sequence[Path]) -> list[Path]:
 
 def clone_person(person: Path, out: Path, told: Told, shown: Collection[ViewId] = tuple(ViewId)) -> CloneRun | None:
     """Return the clone of one person from the photos shown, None if there is none: refused, or a defect of ours."""
-    with photos_alone(person, shown) as photos:
+    with photos_without_truth(person, shown) as photos:
         try:
-            run = clone_apart(photos, told_height_m(person), out, labelled=True)
+            run = clone_in_process(photos, given_height_m(person), out, labelled=True)
         except ClonerError as error:
             told(f"{person.name}: refused: {error}")
             return None

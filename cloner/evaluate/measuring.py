@@ -1,4 +1,4 @@
-"""Clone a visitor from the photos alone, in a process of its own, and measure the effort."""
+"""Cloning of a visitor from the photos alone in a process of its own, with time and memory."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloning import clone_folder
-from cloner.evaluate.figures.origins import Origins, texel_origins
+from cloner.evaluate.figures.origins import TexelOrigins, texel_origins
 from cloner.evaluate.floor import ask_nets, encode_pictures
 from cloner.evaluate.truths.labels import photo_labels
 from cloner.memory import peak_mib
@@ -26,7 +26,7 @@ from cloner.records.silhouettes import SilhouetteSet
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CloneRun:
-    """One clone and what it took.
+    """A clone, with its time and memory.
 
     Attributes
     ----------
@@ -60,12 +60,12 @@ class CloneRun:
     peak_mib: float
     measures: MeasureSet | None = None
     labels: Mapping[str, NDArray[np.uint8]] = field(default_factory=dict)
-    origins: Origins | None = None
+    origins: TexelOrigins | None = None
     warnings: tuple[str, ...] = ()
 
 
-def clone_apart(photos: Path, stature_m: float, out: Path, *, labelled: bool = False) -> CloneRun:
-    """Clone the photos of a folder in a fresh process.
+def clone_in_process(photos: Path, stature_m: float, out: Path, *, labelled: bool = False) -> CloneRun:
+    """Clone the photos of a folder in a new process.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def clone_apart(photos: Path, stature_m: float, out: Path, *, labelled: bool = F
 
 
 def clone_here(photos: Path, stature_m: float, out: Path, *, labelled: bool = False) -> CloneRun:
-    """Clone the photos of a folder in this process; see :func:`clone_apart`."""
+    """Clone the photos of a folder in this process; see :func:`clone_in_process`."""
     wall, cpu = time.perf_counter(), time.process_time()
     outcome = clone_folder(photos, out, height_cm=100.0 * stature_m)
     seconds, cpu_seconds, peak = time.perf_counter() - wall, time.process_time() - cpu, peak_mib()

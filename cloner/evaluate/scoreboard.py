@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.evaluate.kit_scores import evaluate_people
-from cloner.evaluate.measuring import CloneRun, clone_apart
+from cloner.evaluate.measuring import CloneRun, clone_in_process
 from cloner.evaluate.rows import Row, rows_of, save_held_out
 from cloner.evaluate.scores import Score, score_run, score_subject
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.evaluate.truths.kit import is_kit_person, kit_people
-from cloner.evaluate.truths.truth import SETS, read_truth, told_height_m
+from cloner.evaluate.truths.truth import SETS, given_height_m, read_truth
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.project.atomic import write_text
@@ -96,7 +96,7 @@ def _evaluate_sets(
     for done, (path, name) in enumerate(needed):
         progress(f"clone {path.name} {name}", done / steps)
         with _clone_folder(out, path.name) as folder:
-            runs[path, name] = clone_apart(path / name, told_height_m(path), folder)
+            runs[path, name] = clone_in_process(path / name, given_height_m(path), folder)
     rows: list[Row] = []
     for done, (path, name) in enumerate(jobs, start=len(needed)):
         progress(f"score {path.name} {name}", done / steps)

@@ -13,7 +13,7 @@ from cloner.evaluate.figures.leaks import background_texels
 from cloner.evaluate.figures.regions import region_agreement
 from cloner.evaluate.figures.seams import seam_ratios
 from cloner.evaluate.measures import rulers
-from cloner.evaluate.measures.posing import LANDMARKS, Posed, landmarks, posed_as
+from cloner.evaluate.measures.posing import LANDMARKS, PosedClone, landmarks, pose_like_truth
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.truths.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
@@ -51,8 +51,8 @@ def score_run(run: CloneRun, truth: Truth) -> Iterator[Score]:
     """Yield the figures that only a clone has: outlines, proposals and effort."""
     for name, outline in run.outlines.items():
         true = truth.views[name].mask
-        yield Score("outline_iou", name, "", rulers.overlap(outline, true))
-        spread = rulers.spread(rulers.outline_distances_px(outline, true))
+        yield Score("outline_iou", name, "", rulers.mask_iou(outline, true))
+        spread = rulers.summarise(rulers.outline_distances_px(outline, true))
         yield Score("outline_mean_px", name, "px", spread.mean)
         yield Score("outline_p95_px", name, "px", spread.p95)
     for view in FACE_VIEWS:
@@ -113,7 +113,7 @@ def score_subject(
             yield Score("silhouette_iou", view, "", value)
     held_out = {name: truth.views[name] for name in THREE_QUARTER if name in truth.views}
     yield from held_out_scores(subject, generic, held_out, rotations, keep)
-    posed, truth_rotations, truth_from_clone = posed_as(
+    posed, truth_rotations, truth_from_clone = pose_like_truth(
         subject, generic, truth.surface.joints_m, truth.surface.marks_m, rotations
     )
     yield from _surface_scores(posed, generic, truth, rng)
@@ -159,7 +159,9 @@ def _girths_mm(subject: Clone, measures: MeasureSet | None) -> dict[str, float]:
     return {name: girth.value_mm for name, girth in body_girths(shown, subject.stature_m).items()}
 
 
-def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.random.Generator) -> Iterator[Score]:
+def _surface_scores(
+    posed: PosedClone, generic: GenericHuman, truth: Truth, rng: np.random.Generator
+) -> Iterator[Score]:
     body = skins.body_surface_mm(posed, generic, truth.surface, rng=rng)
     yield Score("body_surface_mean_mm", "", "mm", body.mean)
     yield Score("body_surface_p95_mm", "", "mm", body.p95)
@@ -169,7 +171,7 @@ def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.r
     yield from landmark_scores(posed, truth)
 
 
-def landmark_scores(posed: Posed, truth: Truth) -> Iterator[Score]:
+def landmark_scores(posed: PosedClone, truth: Truth) -> Iterator[Score]:
     """Yield how far the face's named points are from the true ones, rigidly aligned."""
     found, marks = landmarks(posed.features_m), landmarks(truth.surface.marks_m)
     names = [name for name in LANDMARKS if name in found and name in marks]

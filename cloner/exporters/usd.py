@@ -24,7 +24,7 @@ import numpy as np
 
 from cloner.errors import ClonerError
 from cloner.exporters.gltf.gltf_motion import quaternions
-from cloner.exporters.gltf.gltf_targets import turned_wedges
+from cloner.exporters.gltf.gltf_targets import turned_normals
 from cloner.exporters.hanim.hanim_names import identifier, node_name
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import png_bytes, write_bytes
@@ -63,7 +63,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = id
     pxr = usd_library()
     pictures = picture_bytes(clone, name)
     atlas = f"textures/{name}{_ATLAS}"
-    pictures[atlas] = commented(pictures[atlas], clone.stamp)  # layers are compressed: here anybody can read it
+    pictures[atlas] = jpeg_with_comment(pictures[atlas], clone.stamp)  # layers are compressed: here anybody can read it
     if len(clone.triangle_regions):
         pictures[f"textures/{name}{_ROUGH}"] = png_bytes(roughness_map(clone))
     with tempfile.TemporaryDirectory() as scratch:
@@ -71,12 +71,12 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = id
         _stage(pxr, centre_joints(clone), name, layer, moves)
         content = layer.read_bytes()
     path = folder / f"{name}.usdz"
-    write_bytes(path, packed({layer.name: content, **pictures}))
+    write_bytes(path, stored_zip({layer.name: content, **pictures}))
     return (path,)
 
 
-def commented(jpeg: bytes, text: str) -> bytes:
-    """Return a JPEG with a comment before everything else."""
+def jpeg_with_comment(jpeg: bytes, text: str) -> bytes:
+    """Return a JPEG with a comment segment at its beginning."""
     told = text.encode()
     return jpeg[:2] + b"\xff\xfe" + (len(told) + 2).to_bytes(2, "big") + told + jpeg[2:]
 
@@ -97,8 +97,8 @@ def usd_library() -> Any:
         raise ClonerError("USD needs a library that is not here", hint, "usd-core") from error
 
 
-def packed(files: Mapping[str, bytes]) -> bytes:
-    """Return a zip of stored files, the content of each beginning on a multiple of 64 bytes, the first file first."""
+def stored_zip(files: Mapping[str, bytes]) -> bytes:
+    """Return a zip of stored files, each aligned to 64 bytes, the first file first."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_STORED) as archive:
         for file, content in files.items():
@@ -207,7 +207,7 @@ def _targets(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str, bind
     """Define the targets that move a mesh and turn its normals."""
     names, paths, vec3 = [], [], pxr.Vt.Vec3fArray.FromNumpy
     for (target, moved, offsets_m), (turned, differences) in zip(
-        wedge_offsets(clone, mesh.vertex, SMALLEST_OFFSET_M), turned_wedges(clone, mesh.vertex), strict=True
+        wedge_offsets(clone, mesh.vertex, SMALLEST_OFFSET_M), turned_normals(clone, mesh.vertex), strict=True
     ):
         if len(moved):
             path = f"{_ROOT}/{name}/{identifier(target)}"

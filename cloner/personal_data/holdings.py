@@ -15,7 +15,7 @@ from typing import Final
 
 from cloner.crowd.packs.held import folders_of, people_in_packs
 from cloner.errors import ClonerError, printable
-from cloner.project.atomic import rests
+from cloner.project.atomic import partial_results
 from cloner.project.claims import claimants
 from cloner.project.folder import SUFFIXES, read_consent, safe_identifier
 from cloner.project.manifest import DEEPEST, photo_folders
@@ -105,7 +105,7 @@ def holdings(photos_root: Path | None, out: Path | None) -> tuple[Holding, ...]:
     if out is not None:
         for result in _results(out):
             heaps = _with_result(heaps, result, shared)
-        for path, name in (*rests(out).items(), *((out, name) for name in claimants(out))):
+        for path, name in (*partial_results(out).items(), *((out, name) for name in claimants(out))):
             _heap_of(heaps, name).rests.extend([path] if path != out else [])
         for name in people_in_packs(out):
             _heap_of(heaps, name)

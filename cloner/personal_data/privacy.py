@@ -24,8 +24,8 @@ from cloner.crowd.packs.held import films_below, pack_of
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import Holding, photo_digests
 from cloner.personal_data.leftovers import Traces, left_of
-from cloner.project.atomic import in_place_of, interrupted, safe_output
-from cloner.project.claims import claimed
+from cloner.project.atomic import atomic_path, interrupted, safe_output
+from cloner.project.claims import claim
 from cloner.project.corrections import WHERE as CORRECTIONS_FILE
 from cloner.project.folder import PERSON_FILE, SUFFIXES, read_person
 from cloner.project.results import RESULT_MARK, file_digest, foreign_files, read_manifest
@@ -52,7 +52,7 @@ def export_data(holding: Holding, to: Path) -> Path:
     """
     safe_output(to)
     try:
-        with in_place_of(to) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+        with atomic_path(to) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
             for folder, label in _labelled(holding):
                 for path in holding.files_in(folder):
                     archive.write(path, f"{holding.identifier}/{label}/{path.relative_to(folder).as_posix()}")
@@ -90,7 +90,7 @@ def forget_all(held: Sequence[Holding], photos_root: Path | None, out: Path | No
     roots = [root for root in (photos_root, out) if root is not None]
     with contextlib.ExitStack() as stack:
         for holding in held:
-            if out is not None and not all(stack.enter_context(claimed(out, name)) for name in holding.names):
+            if out is not None and not all(stack.enter_context(claim(out, name)) for name in holding.names):
                 raise _busy(holding)
         left = [one for holding in held for one in _delete(holding, roots, out)]
         left += [*_delete_rests(roots), *_delete_films(roots, traces)]

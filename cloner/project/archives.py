@@ -1,4 +1,4 @@
-"""Archives of arrays (.npz) that somebody else may have written: opened with care."""
+"""Archives of arrays (.npz) of unknown origin, opened with limits."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ MOST_ARRAYS: Final = 10_000  # taste: a hundred times what a clone holds
 
 
 @contextmanager
-def opened(path: Path, largest_bytes: int) -> Iterator[Any]:
-    """Give the arrays of an archive, none read yet; refuse one that would fill the memory.
+def open_archive(path: Path, largest_bytes: int) -> Iterator[Any]:
+    """Yield the arrays of an archive, none read yet; refuse one that would exhaust the memory.
 
     Every array inside is as large as it says, and all together are at most so many bytes.
 

@@ -1,4 +1,4 @@
-"""Results appear whole or not at all."""
+"""Atomic writes: results appear completely or not at all."""
 
 from __future__ import annotations
 
@@ -33,20 +33,20 @@ _NAME_BYTES: Final = 4
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a small file in one step; see :func:`appears`.
+    """Write a small file in one step; see :func:`atomic_file`.
 
     Raises
     ------
     ClonerError
         If the folder cannot be written.
     """
-    with appears(path) as temporary:
+    with atomic_file(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
 
 
 @contextlib.contextmanager
-def appears(out: Path) -> Iterator[Path]:
-    """Give a temporary neighbour, of the same suffix, that becomes the file ``out`` when the block ends well.
+def atomic_file(out: Path) -> Iterator[Path]:
+    """Yield a temporary neighbour, of the same suffix, that becomes the file ``out`` when the block succeeds.
 
     Raises
     ------
@@ -54,15 +54,15 @@ def appears(out: Path) -> Iterator[Path]:
         If the disk refuses.
     """
     try:
-        with in_place_of(out, out.suffix) as temporary:
+        with atomic_path(out, out.suffix) as temporary:
             yield temporary
     except OSError as error:
         raise ClonerError("the file cannot be written", "Check the folder's permissions and space", out.name) from error
 
 
 @contextlib.contextmanager
-def in_place_of(out: Path, suffix: str = "") -> Iterator[Path]:
-    """Give the name of a temporary neighbour, file or folder, that becomes ``out`` when the block ends well.
+def atomic_path(out: Path, suffix: str = "") -> Iterator[Path]:
+    """Yield the name of a temporary neighbour, file or folder, that becomes ``out`` when the block succeeds.
 
     However the block ends, nothing of the neighbour stays. Only with a ``suffix`` can others take it for a finished
     file, as writers do that ask a name for its kind.
@@ -112,7 +112,7 @@ def result_folder(out: Path, identifier: str, photos: Path | None = None) -> Ite
     held = -1
     try:
         _make_folder(out)
-        sweep(out)
+        recover(out)
         check_replaceable(final, photos)
         held = _make_locked(partial)
         inside = partial / identifier  # the temporary folder is private (0700); the result gets ordinary permissions
@@ -192,8 +192,10 @@ def partial_path(out: Path, identifier: str) -> Path:
     return out / f".{identifier}.partial-{os.getpid()}-{secrets.token_hex(_NAME_BYTES)}"
 
 
-def rests(out: Path) -> dict[Path, str]:
-    """Return the temporary folders of results in a folder, running ones too, with their visitors' identifiers."""
+def partial_results(out: Path) -> dict[Path, str]:
+    """Return the temporary folders of results in a folder, of running processes too, with their
+    visitors' identifiers.
+    """
     found = {}
     for path in sorted(out.iterdir()):
         match = _REST.fullmatch(path.name)
@@ -209,7 +211,7 @@ def rests(out: Path) -> dict[Path, str]:
 def interrupted(out: Path, identifier: str) -> list[Path] | None:
     """Return the temporary folders that killed runs left of a result; None where a run is at work in one."""
     found = []
-    for partial in [path for path, name in rests(out).items() if name == identifier]:
+    for partial in [path for path, name in partial_results(out).items() if name == identifier]:
         try:
             held = lock(partial / _LOCK)
         except FileNotFoundError:
@@ -221,13 +223,13 @@ def interrupted(out: Path, identifier: str) -> list[Path] | None:
     return found
 
 
-def sweep(out: Path) -> tuple[str, ...]:
-    """Undo what killed runs left in a folder: put back a result they had moved aside, drop their rest.
+def recover(out: Path) -> tuple[str, ...]:
+    """Recover a folder from killed runs: restore a result they had moved aside, delete their temporary files.
 
     Never touches another running one's: a lock tells. Returns the identifiers whose rests are gone.
     """
     gone = []
-    for partial, identifier in rests(out).items():
+    for partial, identifier in partial_results(out).items():
         try:
             held = lock(partial / _LOCK)
         except OSError:

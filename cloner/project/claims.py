@@ -1,4 +1,4 @@
-"""One visitor, one worker."""
+"""Locks on visitors: one worker at a time."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _LOOK_S: Final = 0.05
 
 
 @contextmanager
-def claimed(out: Path, identifier: str) -> Iterator[bool]:
-    """Give whether this process may clone a visitor; others that ask meanwhile get False.
+def claim(out: Path, identifier: str) -> Iterator[bool]:
+    """Yield whether this process may clone a visitor; other processes get False meanwhile.
 
     Raises
     ------

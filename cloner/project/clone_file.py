@@ -16,7 +16,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.project.archives import BROKEN, opened
+from cloner.project.archives import BROKEN, open_archive
 from cloner.project.person_table import OLDEST_YEARS, SEXES
 from cloner.records.bodies import PosedView
 from cloner.records.clones import NO_SHINE, Clone, TextureAtlas
@@ -91,7 +91,7 @@ def load_clone(path: Path) -> Clone:
         If the file is missing, is no clone, or was written by a newer version.
     """
     try:
-        with opened(path, LARGEST_BYTES) as archive:
+        with open_archive(path, LARGEST_BYTES) as archive:
             arrays = {"triangle_regions": np.zeros(0, np.uint8), **{name: archive[name] for name in archive.files}}
         facts = json.loads(arrays["facts_json"].tobytes())
         _check_pictures(arrays)

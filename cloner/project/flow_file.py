@@ -11,7 +11,7 @@ import numpy as np
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
 from cloner.generic.load import load_generic
-from cloner.project.archives import BROKEN, opened
+from cloner.project.archives import BROKEN, open_archive
 from cloner.records.clones import Clone
 from cloner.records.flows import Flow
 
@@ -47,7 +47,7 @@ def load_flow(folder: Path, clone: Clone) -> Flow | None:
     if not path.is_file():
         return None
     try:
-        with opened(path, LARGEST_BYTES) as archive:
+        with open_archive(path, LARGEST_BYTES) as archive:
             flow = Flow(**{name: archive[name] for name in _FIELDS})
     except BROKEN as error:
         raise ClonerError("the file is no readable cloth", _AGAIN, path.name) from error

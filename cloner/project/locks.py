@@ -35,7 +35,7 @@ def lock(path: Path) -> int | None:
         descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o600)
         try:
             _take(descriptor)
-            if sys.platform == "win32" or _is_still(descriptor, path):
+            if sys.platform == "win32" or _is_same_file(descriptor, path):
                 return descriptor
         except OSError as error:
             os.close(descriptor)
@@ -57,7 +57,7 @@ def release(descriptor: int, path: Path) -> None:
     os.close(descriptor)
 
 
-def _is_still(descriptor: int, path: Path) -> bool:
+def _is_same_file(descriptor: int, path: Path) -> bool:
     """Return whether a locked file is the one under its name: a holder may have removed it before we had the lock."""
     try:
         mine, named = os.fstat(descriptor), path.stat()

@@ -1,4 +1,4 @@
-"""What a result was made from, and whether it still is that: stamps of the input, digests of the output."""
+"""Stamps of a result's input and digests of its output."""
 
 from __future__ import annotations
 

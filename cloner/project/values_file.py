@@ -1,4 +1,4 @@
-"""Values of the pipeline kept between runs: frozen records in one .npz, read back without running foreign code.
+"""Values of the pipeline kept between runs: frozen records in one .npz, read back without executing code.
 
 A record is written as its fields, by the name of its class; reading makes only dataclasses and enumerations of this
 package, so a file from elsewhere can be wrong but can do nothing (a pickle could).
@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.project.archives import BROKEN, opened
-from cloner.project.atomic import in_place_of
+from cloner.project.archives import BROKEN, open_archive
+from cloner.project.atomic import atomic_path
 
 FORMAT: Final = 1
 LARGEST_BYTES: Final = 1_000_000_000  # taste: many times the values of five large photos
@@ -38,11 +38,11 @@ def save_values(values: Mapping[str, object], path: Path) -> None:
         If a value is of another kind.
     """
     arrays: dict[int, NDArray[Any]] = {}
-    told = {"format": FORMAT, "values": _told(dict(values), arrays)}
+    told = {"format": FORMAT, "values": _to_json(dict(values), arrays)}
     text = np.frombuffer(json.dumps(told).encode(), dtype=np.uint8)
     try:
         path.parent.mkdir(exist_ok=True)
-        with in_place_of(path) as temporary, temporary.open("wb") as stream:
+        with atomic_path(path) as temporary, temporary.open("wb") as stream:
             packed: dict[str, NDArray[Any]] = {f"a{number}": array for number, array in enumerate(arrays.values())}
             np.savez_compressed(stream, allow_pickle=False, **{_SKELETON: text}, **packed)
     except OSError as error:
@@ -55,15 +55,15 @@ def load_values(path: Path) -> dict[str, Any]:
     What is kept here can always be found again, so an unreadable file is no error.
     """
     try:
-        with opened(path, LARGEST_BYTES) as archive:
+        with open_archive(path, LARGEST_BYTES) as archive:
             arrays = [archive[f"a{number}"] for number in range(len(archive.files) - 1)]
             told = json.loads(archive[_SKELETON].tobytes())
-        return dict(_made(told["values"], arrays)) if told["format"] == FORMAT else {}
+        return dict(_from_json(told["values"], arrays)) if told["format"] == FORMAT else {}
     except (*BROKEN, ImportError):
         return {}
 
 
-def _told(value: Any, arrays: dict[int, NDArray[Any]]) -> Any:
+def _to_json(value: Any, arrays: dict[int, NDArray[Any]]) -> Any:
     """Return a value as JSON; arrays are put aside, each once."""
     if isinstance(value, Enum):
         return {"enum": _name(type(value)), "value": value.value}
@@ -75,29 +75,29 @@ def _told(value: Any, arrays: dict[int, NDArray[Any]]) -> Any:
         arrays.setdefault(id(value), value)
         return {"array": list(arrays).index(id(value))}
     if isinstance(value, tuple | list):
-        return {"tuple": [_told(one, arrays) for one in value]}
+        return {"tuple": [_to_json(one, arrays) for one in value]}
     if isinstance(value, Mapping):
-        return {"map": [[_told(key, arrays), _told(one, arrays)] for key, one in value.items()]}
+        return {"map": [[_to_json(key, arrays), _to_json(one, arrays)] for key, one in value.items()]}
     if is_dataclass(value) and not isinstance(value, type):
-        inner = {one.name: _told(getattr(value, one.name), arrays) for one in fields(value)}
+        inner = {one.name: _to_json(getattr(value, one.name), arrays) for one in fields(value)}
         return {"record": _name(type(value)), "fields": inner}
     raise TypeError(f"a {type(value).__name__} cannot be kept")
 
 
-def _made(told: Any, arrays: list[NDArray[Any]]) -> Any:
+def _from_json(told: Any, arrays: list[NDArray[Any]]) -> Any:
     """Return the value of its JSON."""
     if not isinstance(told, dict):
         return told
     if "array" in told:
         return arrays[told["array"]]
     if "tuple" in told:
-        return tuple(_made(one, arrays) for one in told["tuple"])
+        return tuple(_from_json(one, arrays) for one in told["tuple"])
     if "map" in told:
-        return {_made(key, arrays): _made(one, arrays) for key, one in told["map"]}
+        return {_from_json(key, arrays): _from_json(one, arrays) for key, one in told["map"]}
     if "enum" in told:
         return _class(told["enum"], Enum)(told["value"])
     kind = _class(told["record"], None)
-    return kind(**{name: _made(one, arrays) for name, one in told["fields"].items()})
+    return kind(**{name: _from_json(one, arrays) for name, one in told["fields"].items()})
 
 
 def _name(kind: type) -> str:

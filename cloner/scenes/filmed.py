@@ -21,7 +21,7 @@ from cloner.crowd.staged.staging import Staging, staging_of
 from cloner.errors import ClonerError
 from cloner.motion.face.sound import wav_bytes
 from cloner.pipeline import Progress, no_progress
-from cloner.project.atomic import appears, result_folder, safe_output
+from cloner.project.atomic import atomic_file, result_folder, safe_output
 from cloner.records.arrays import Array
 from cloner.scenes.films.hearing import RATE_HZ, Ear, heard
 from cloner.scenes.films.sequence import read_sequence
@@ -117,7 +117,7 @@ def _draw(
         )
         pictures = _pictures(painter, told, progress)
         if out.suffix.lower() in FORMATS:
-            with appears(out) as temporary:
+            with atomic_file(out) as temporary:
                 out.parent.mkdir(parents=True, exist_ok=True)
                 write_film(pictures, told["rate_hz"], temporary, filmed(facts["people"]), sound, RATE_HZ)
         else:

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.bodies.carried import carried_shells
+from cloner.bodies.carried import move_shells_with_skin
 from cloner.bodies.made import clone_of_measures
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
@@ -28,7 +28,7 @@ from cloner.records.clones import Clone
 from cloner.report.derived import make_manifest, write_result
 from cloner.statues.blobs import Blob, field_of, read_blobs, written_blobs
 from cloner.statues.carved import check_material, statue_of
-from cloner.statues.envelope import Envelope, enveloped
+from cloner.statues.envelope import Envelope, fit_to_blobs
 from cloner.statues.photographed import USUAL
 from cloner.statues.usual_blobs import usual_blobs
 
@@ -45,7 +45,7 @@ def clone_of_blobs(clone: Clone, blobs: Sequence[Blob]) -> tuple[Clone, Envelope
         If the blobs are none that a body can be laid on.
     """
     generic, rules = load_generic(), load_tape_rules()
-    found = enveloped(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
+    found = fit_to_blobs(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
     skin = np.flatnonzero(generic.skin)
     if found.missed > MOST_MISSED * found.asked:
         hint = "cloner statue blobs CLONE --out body.json writes blobs to begin with"
@@ -57,7 +57,7 @@ def clone_of_blobs(clone: Clone, blobs: Sequence[Blob]) -> tuple[Clone, Envelope
     made = replace(
         clone,
         vertices_m=found.vertices_m,
-        shells=carried_shells(clone.shells, clone.vertices_m[skin], shift),
+        shells=move_shells_with_skin(clone.shells, clone.vertices_m[skin], shift),
         features_m=named_features(generic, found.vertices_m),
         views={},
         measures_mm={key: round(value + now[key] - old[key], 1) for key, value in clone.measures_mm.items()},
@@ -134,7 +134,7 @@ def blobs_file(clone_path: Path, out: Path) -> str:
     safe_output(out)
     clone = load_clone_at(clone_path)
     blobs = usual_blobs(clone.vertices_m, clone.joints_m)
-    found = enveloped(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
+    found = fit_to_blobs(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
     moved = np.linalg.norm(found.vertices_m - clone.vertices_m, axis=1)[np.isfinite(found.off_m)]
     write_bytes(out, written_blobs(blobs, clone.stamp).encode())
     return f"{len(blobs)} blobs: their body is {1000.0 * moved.mean():.1f} mm from the clone's on average"

@@ -20,7 +20,7 @@ from cloner.records.regions import REGIONS
 from cloner.stages.textures import pad_charts
 from cloner.statues.eyes import SIDES, carved_eyes, eye_light
 from cloner.statues.materials import MATERIALS, Look
-from cloner.statues.noise import Block
+from cloner.statues.noise import MaterialBlock
 from cloner.statues.relief import detail, hollows, outwards, raked
 
 Pixels = NDArray[np.uint8]
@@ -68,7 +68,7 @@ def statue_of(clone: Clone, material: str) -> Clone:
         If the material is not known.
     """
     check_material(material)
-    generic, block = load_generic(), Block(SEED)
+    generic, block = load_generic(), MaterialBlock(SEED)
     triangles, uv_triangles = generic.triangles()
     size = len(clone.atlas.rgb)
     charts = Charts(
@@ -99,7 +99,7 @@ def check_material(material: str) -> None:
 
 
 def _cut(
-    block: Block, material: str, charts: Charts, hollow: Array, carved: Array, light: Values
+    block: MaterialBlock, material: str, charts: Charts, hollow: Array, carved: Array, light: Values
 ) -> tuple[Pixels, Pixels]:
     """Return the (S, S, 3) texture and shine of a mesh cut from a block.
 
@@ -141,7 +141,7 @@ def _light(generic: GenericHuman, clone: Clone, atlas: AtlasMap) -> Values:
     return light
 
 
-def _cut_shell(block: Block, material: str, shell: Shell) -> Shell:
+def _cut_shell(block: MaterialBlock, material: str, shell: Shell) -> Shell:
     """Return hair or cloth cut from the same block, without anything sheer."""
     shell = _squared(shell)
     size = len(shell.rgba)

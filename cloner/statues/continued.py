@@ -1,4 +1,4 @@
-"""A photograph as the texture of a whole mesh: seen texels from the photo, the rest continued from them."""
+"""A photograph as the texture of a whole mesh: visible texels from the photo, the rest extrapolated."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ CUTS: Final = 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Laid:
-    """A texture and what of it a photo shows.
+class ContinuedTexture:
+    """A texture, and which part of it a photo shows.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Laid:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Sight:
+class _PhotoVisibility:
     """The photo and what tells whether a place is seen in it."""
 
     photo: Pixels
@@ -88,7 +88,9 @@ class _Sight:
         return np.asarray(weight * sample(self.own, small)[:, 0], np.float32), pixel
 
 
-def laid_photo(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels, size: int, near: Array) -> Laid:
+def laid_photo(
+    mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels, size: int, near: Array
+) -> ContinuedTexture:
     """Return the texture of a mesh that a photo shows.
 
     Texels take the photo where it shows them squarely, or their twins' where the mesh knows twins. From there the tone
@@ -104,7 +106,7 @@ def laid_photo(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels, siz
     size : int
         Side, texels.
     near : (V,)
-        How far the photo is to be believed at all, 0..1; :func:`trusted`.
+        How far the photo is to be believed at all, 0..1; :func:`photo_trust`.
     """
     atlas = map_atlas(mesh.uv, mesh.uv_triangles, mesh.triangles, size)
     normals = vertex_normals(vertices_m, mesh.triangles)
@@ -126,17 +128,17 @@ def laid_photo(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels, siz
     rgb[atlas.texel[rows]] = np.clip(np.rint(laid[rows] * np.exp(share * gain)), 0, 255)
     shown = np.zeros(size * size, np.uint8)
     shown[atlas.texel] = np.rint(255.0 * weight)
-    return Laid(pad_charts(rgb.reshape(size, size, 3), atlas.covered()), shown.reshape(size, size))
+    return ContinuedTexture(pad_charts(rgb.reshape(size, size, 3), atlas.covered()), shown.reshape(size, size))
 
 
-def trusted(vertices_m: Array, markers_m: Array) -> Array:
-    """Return (V,) how far a photo is to be believed at vertices (V, 3), 1 near the markers (K, 3)."""
+def photo_trust(vertices_m: Array, markers_m: Array) -> Array:
+    """Return the reliability (V,) of a photo at vertices (V, 3): 1 near the markers (K, 3)."""
     away = cKDTree(markers_m).query(vertices_m)[0] / float(np.ptp(markers_m, axis=0).max())
     return np.asarray(np.clip((TRUSTED[1] - away) / (TRUSTED[1] - TRUSTED[0]), 0.0, 1.0))
 
 
 def _from_photo(
-    sight: _Sight, atlas: AtlasMap, vertices_m: Array, normals: Array, near: Array
+    sight: _PhotoVisibility, atlas: AtlasMap, vertices_m: Array, normals: Array, near: Array
 ) -> tuple[Values, Values]:
     """Return colours (N, 3) of the photo at all texels and how far they are to be believed (N,)."""
     places = atlas.interpolate(vertices_m).astype(np.float64)
@@ -144,7 +146,7 @@ def _from_photo(
     return sample(sight.photo, pixel), weight * atlas.interpolate(near)
 
 
-def _sight(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels) -> _Sight:
+def _sight(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels) -> _PhotoVisibility:
     height, width = photo.shape[:2]
     scale = min(1.0, SMALL_PX / max(height, width))
     wide, high = max(8, round(scale * width)), max(8, round(scale * height))
@@ -156,7 +158,7 @@ def _sight(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels) -> _Sig
     span = float(np.ptp(vertices_m, axis=0).min()) if not seen_m.size else float(seen_m.max() - seen_m.min())
     own = _thing(cv2.resize(photo, (wide, high), interpolation=cv2.INTER_AREA), covered)
     grown = cv2.erode(np.where(covered, nearest, np.float32(1e6)), np.ones((3, 3), np.uint8))
-    return _Sight(photo, camera, grown, own, scale, BEHIND * max(span, 1e-6))
+    return _PhotoVisibility(photo, camera, grown, own, scale, BEHIND * max(span, 1e-6))
 
 
 def _thing(small: Pixels, covered: NDArray[np.bool_]) -> Values:
@@ -181,7 +183,9 @@ def _thing(small: Pixels, covered: NDArray[np.bool_]) -> Values:
     return np.asarray(np.clip(inside / 2.0, 0.0, 1.0), np.float32)
 
 
-def _vertex_tones(sight: _Sight, mesh: Mesh, vertices_m: Array, normals: Array, near: Array) -> tuple[Array, Array]:
+def _vertex_tones(
+    sight: _PhotoVisibility, mesh: Mesh, vertices_m: Array, normals: Array, near: Array
+) -> tuple[Array, Array]:
     """Return colours (V, 3) of the photo round every vertex and its twin, and how well either is seen (V,)."""
     soft = cv2.GaussianBlur(sight.photo, (0, 0), max(1.0, 1.5 / sight.scale))
     weight, pixel = sight.weight(vertices_m, normals)

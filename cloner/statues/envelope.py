@@ -1,4 +1,4 @@
-"""A body laid on the surface of its blobs: the standard skin goes there along its normals, so it stays rigged."""
+"""A body fitted to the surface of its blobs along the normals of the standard skin, so that it stays rigged."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ class Envelope:
     asked: int
 
 
-def enveloped(vertices_m: Array, joints_m: Array, field: Field) -> Envelope:
-    """Return a body (V, 3) with joints (94, 3) laid on the surface of blobs; head, hands and feet stay attached."""
+def fit_to_blobs(vertices_m: Array, joints_m: Array, field: Field) -> Envelope:
+    """Return a body (V, 3) with joints (94, 3) fitted to the surface of blobs; head, hands and feet stay attached."""
     generic, graph = load_generic(), person_graph(load_generic(), vertices_m)
     kept, bone = _kept(generic), vertices_m - _axes(generic, vertices_m, joints_m)
     body = generic.skin & (kept < 1.0)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from cloner.easing import smoothstep
 from cloner.records.arrays import Array
-from cloner.statues.noise import Block
+from cloner.statues.noise import MaterialBlock
 
 Values = NDArray[np.floating]
 
@@ -37,10 +37,10 @@ class Look:
 
 
 #: Makes the look of places (N, 3), metres, in a block, which lie (N,) -1 (on a ridge) to 1 (in a hollow).
-Maker = Callable[[Block, Array, Values], Look]
+Maker = Callable[[MaterialBlock, Array, Values], Look]
 
 
-def stone(block: Block, places_m: Array, hollow: Values) -> Look:
+def stone(block: MaterialBlock, places_m: Array, hollow: Values) -> Look:
     """Return weathered sandstone: grain, blotches, pores, dirt in the hollows, worn ridges."""
     light = 0.075 * block.waves(places_m, (0.0022, 0.004)) + 0.05 * block.waves(places_m, (0.02, 0.06))
     ragged = np.clip(0.55 + 0.45 * block.waves(places_m, (0.0025, 0.0012)), 0.0, 1.0)
@@ -53,7 +53,7 @@ def stone(block: Block, places_m: Array, hollow: Values) -> Look:
     return Look(rgb, 0.90 + 0.05 * np.tanh(light * 8.0), np.zeros(len(rgb), np.float32))
 
 
-def clay(block: Block, places_m: Array, hollow: Values) -> Look:
+def clay(block: MaterialBlock, places_m: Array, hollow: Values) -> Look:
     """Return fired terracotta: uneven firing, small inclusions, pale earth left in the hollows."""
     light = 0.03 * block.waves(places_m, (0.0025, 0.005)) + 0.05 * block.waves(places_m, (0.05, 0.14))
     warm = 0.015 * block.waves(places_m, (0.09,))
@@ -65,7 +65,7 @@ def clay(block: Block, places_m: Array, hollow: Values) -> Look:
     return Look(rgb, 0.92 + 0.04 * np.tanh(light * 8.0), np.zeros(len(rgb), np.float32))
 
 
-def bronze(block: Block, places_m: Array, hollow: Values) -> Look:
+def bronze(block: MaterialBlock, places_m: Array, hollow: Values) -> Look:
     """Return bronze from the open: brown, green where water stays, bright where hands and rain rub it."""
     light = 0.05 * block.waves(places_m, (0.003, 0.01, 0.04))
     spread = 0.7 * hollow + 0.3 * block.waves(places_m, (0.004, 0.012, 0.03, 0.09)) - 0.03
@@ -79,7 +79,7 @@ def bronze(block: Block, places_m: Array, hollow: Values) -> Look:
     return Look(rgb, 0.46 - 0.14 * rubbed + 0.42 * green, 1.0 - green)
 
 
-def marble(block: Block, places_m: Array, hollow: Values) -> Look:
+def marble(block: MaterialBlock, places_m: Array, hollow: Values) -> Look:
     """Return white marble: clouds, thin grey veins along bent planes, a little dust in the hollows."""
     bend = block.waves(places_m, (0.18,)) + 0.16 * block.waves(places_m, (0.02, 0.05))
     across = np.asarray(places_m @ np.array([5.2, 3.1, 4.0]), np.float32)  # a vein every 15 cm or so

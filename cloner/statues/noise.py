@@ -1,4 +1,4 @@
-"""Unevenness through space: what a solid block would show wherever it is cut."""
+"""Solid noise: what a block of material shows wherever it is cut."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CELLS: Final = 48
 ASIDE, WIDEST = 0.2, 0.3
 
 
-class Block:
+class MaterialBlock:
     """A block of one material: the same seed gives the same block."""
 
     def __init__(self, seed: int) -> None:

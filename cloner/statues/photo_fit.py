@@ -21,7 +21,7 @@ from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_we
 from cloner.records.arrays import Array
 from cloner.records.meshes import Mesh
 from cloner.records.views import Camera
-from cloner.statues.continued import Laid, laid_photo, trusted
+from cloner.statues.continued import ContinuedTexture, laid_photo, photo_trust
 
 Index = NDArray[np.int32]
 
@@ -104,7 +104,7 @@ class PhotoFit:
     """A mesh bent to a photo, and the photo as its texture, continued all round."""
 
     fit: Fit
-    laid: Laid
+    laid: ContinuedTexture
 
 
 def mark(mesh: Mesh, vertex: Index) -> Marked:
@@ -215,7 +215,7 @@ def fit_photo(
     focal = focal_px or focal_px_of(width, height)
     marked = mark(mesh, markers_mesh)
     fit = fit_markers(marked, markers_px, (width, height), focal)
-    near = trusted(fit.vertices_m, fit.vertices_m[marked.vertex])
+    near = photo_trust(fit.vertices_m, fit.vertices_m[marked.vertex])
     return PhotoFit(fit, laid_photo(mesh, fit.vertices_m, fit.camera, photo, size, near))
 
 

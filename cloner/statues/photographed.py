@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import cloner
-from cloner.bodies.carried import carried_shells
+from cloner.bodies.carried import move_shells_with_skin
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj, write_obj
 from cloner.exporters.table import check_formats
@@ -40,7 +40,7 @@ from cloner.statues.photo_fit import Fit, PhotoFit, fit_photo, focal_px_of
 from cloner.vision.photographs.pictures import Picture, read_picture
 
 #: Whom a photo is laid on where nobody is named: the family's usual man.
-USUAL: Final = Told("m", 1.75, {})
+USUAL: Final = BodySpecification("m", 1.75, {})
 OBJ: Final = ".obj"
 #: Lips that are moved turn some ten triangles over (docs/statues_benchmark.md); markers that cross turn many.
 MANY_TURNED: Final = 50
@@ -60,8 +60,9 @@ def mesh_of(clone: Clone) -> Mesh:
     )
 
 
-def photographed(clone: Clone, fitted: PhotoFit) -> Clone:
-    """Return the clone with the shape and texture of a photo that was fitted to its mesh; face and rig go with them.
+def clone_with_photo(clone: Clone, fitted: PhotoFit) -> Clone:
+    """Return the clone with the shape and texture of a photo that was fitted to its mesh, face targets and rig
+    included.
 
     Lids are laid on the eyeballs and lips meet again, so that the face can move: markers there give by what that takes.
     """
@@ -79,7 +80,7 @@ def photographed(clone: Clone, fitted: PhotoFit) -> Clone:
         morph_delta_m=delta,
         morph_start=start,
         atlas=TextureAtlas(fitted.laid.rgb, fitted.laid.seen),
-        shells=carried_shells(clone.shells, clone.vertices_m[skin], shift),
+        shells=move_shells_with_skin(clone.shells, clone.vertices_m[skin], shift),
         features_m=named_features(generic, vertices),
         views={},
     )
@@ -167,7 +168,7 @@ def _at_size(markers_px: Array, picture: Picture) -> Array:
 
 def _made(clone: Clone, fitted: PhotoFit, material: str, photo: Path, source: Path | None, stamp: str) -> Clone:
     """Return the finished clone; it may be shown if the photo may and, where it is laid on somebody, they may."""
-    made = photographed(clone, fitted)
+    made = clone_with_photo(clone, fitted)
     made = replace(
         made,
         consent=bool(read_consent(photo.parent)) and (source is None or clone.consent),

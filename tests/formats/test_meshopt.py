@@ -61,11 +61,11 @@ def test_triangles_come_back_in_their_order_and_facing_as_before(kind: str) -> N
                                  np.stack([corner + 1, corner + 31, corner + 30], 1)])  # fmt: skip
     else:
         values = np.random.default_rng(5).integers(0, 400, (500, 3))
-    for ordered in (values, meshopt.side_by_side(values)):
+    for ordered in (values, meshopt.order_by_adjacency(values)):
         found = decoded(meshopt.triangles(ordered), ordered.size, 4, "TRIANGLES").view(np.uint32).reshape(-1, 3)
         turned = [np.roll(ordered, -k, axis=1) for k in range(3)]
         assert np.any([(found == one).all(axis=1) for one in turned], axis=0).all()
-    assert sorted(map(tuple, meshopt.side_by_side(values).tolist())) == sorted(map(tuple, values.tolist()))
+    assert sorted(map(tuple, meshopt.order_by_adjacency(values).tolist())) == sorted(map(tuple, values.tolist()))
 
 
 def test_index_sequences_keep_their_largest_steps() -> None:

@@ -186,7 +186,7 @@ def test_flat_vrml_knows_only_shapes_and_shows_everything(folder: Path, clone: C
 
 
 def test_usdz_is_a_stored_zip_with_every_file_on_64_bytes() -> None:
-    data = usd.packed({"clone.usdc": b"PXR-USDC" + bytes(57), "textures/a.jpg": b"jpeg"})
+    data = usd.stored_zip({"clone.usdc": b"PXR-USDC" + bytes(57), "textures/a.jpg": b"jpeg"})
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         assert archive.testzip() is None
         entries = archive.infolist()

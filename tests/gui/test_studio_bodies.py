@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from cloner.bodies.ruler import read
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.generic.tape import load_tape_rules
 from cloner.picture import load_clone_at
 from cloner.records.regions import REGIONS
@@ -113,7 +113,7 @@ def test_a_body_is_saved_like_any_clone(bodies, qtbot, monkeypatch, tmp_path):
 
 
 def test_a_clone_that_is_told_new_measures_lies_beside_the_old_one(bodies, qtbot, tmp_path):
-    folder = tape_clone(tmp_path / "clones" / "tom", Told("m", 1.8, {}))
+    folder = tape_clone(tmp_path / "clones" / "tom", BodySpecification("m", 1.8, {}))
     clone = load_clone_at(folder)
     rested(qtbot, bodies)
     bodies.kind.setCurrentIndex(bodies.kind.findData(CLONE))

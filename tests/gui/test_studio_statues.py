@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.booth.studio.carving import MARKED
 from cloner.picture import load_clone_at
 from cloner.statues.markers import known_points
@@ -22,7 +22,7 @@ pytestmark = pytest.mark.gui
 
 @pytest.fixture(scope="module")
 def tom(tmp_path_factory):
-    return tape_clone(tmp_path_factory.mktemp("tom") / "tom", Told("m", 1.78, {}))
+    return tape_clone(tmp_path_factory.mktemp("tom") / "tom", BodySpecification("m", 1.78, {}))
 
 
 @pytest.fixture

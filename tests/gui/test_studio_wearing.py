@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMessageBox
 
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.booth.studio.jobs import StudioJobs
 from cloner.cloth import dressing
 from cloner.errors import Cancelled
@@ -23,7 +23,7 @@ pytestmark = pytest.mark.gui
 
 @pytest.fixture(scope="module")
 def eva(tmp_path_factory):
-    return tape_clone(tmp_path_factory.mktemp("eva") / "eva", Told("f", 1.68, {"waist_girth": 740.0}))
+    return tape_clone(tmp_path_factory.mktemp("eva") / "eva", BodySpecification("f", 1.68, {"waist_girth": 740.0}))
 
 
 class SteeredStudio(Studio):

@@ -19,8 +19,8 @@ from cloner.errors import ClonerError
 from cloner.exporters.gltf import gltf
 from cloner.personal_data.holdings import find_holding, holdings, table
 from cloner.personal_data.privacy import export_data, forget
-from cloner.project.atomic import result_folder, sweep
-from cloner.project.claims import claimed
+from cloner.project.atomic import recover, result_folder
+from cloner.project.claims import claim
 from cloner.project.manifest import find_visitors
 from cloner.project.results import file_digest, place_digest
 from cloner.project.stamps import output_digests, photos_token
@@ -106,10 +106,10 @@ def test_what_a_killed_run_left_is_listed_and_forgotten(places: tuple[Path, Path
 def test_rests_of_others_are_swept_and_running_ones_never(places: tuple[Path, Path]) -> None:
     out = places[1]
     killed(out, "zoe")
-    with claimed(out, "carl"), result_folder(out, "carl") as inside:
+    with claim(out, "carl"), result_folder(out, "carl") as inside:
         (inside / "report.json").write_text("{}")
         assert not [path for path in out.iterdir() if path.name.startswith(".zoe.partial")], "the next run sweeps"
-        assert sweep(out) == ()
+        assert recover(out) == ()
         assert inside.is_dir()
     assert (out / "carl").is_dir()
 
@@ -117,7 +117,7 @@ def test_rests_of_others_are_swept_and_running_ones_never(places: tuple[Path, Pa
 def test_a_folder_that_only_looks_like_a_rest_is_left(places: tuple[Path, Path]) -> None:
     out = places[1]
     mine = photo(out / ".anna.partial-1-holiday" / "beach.jpg", 3)
-    sweep(out)
+    recover(out)
     assert mine.is_file()
 
 

@@ -11,7 +11,7 @@ from skimage.metrics import structural_similarity
 from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.pack import make_pack
-from cloner.crowd.packs.wanted import Wanted
+from cloner.crowd.packs.wanted import PackOptions
 from cloner.crowd.staged.eye import Eye
 from cloner.exporters.shared.regions import texel_triangles
 from cloner.generic.load import load_generic
@@ -21,7 +21,7 @@ from cloner.records.regions import REGIONS
 from kit.clones import SHIRT, toy_clone
 
 GREY = (0.5, 0.5, 0.5, 1.0)
-WANTED = Wanted(people=60, views=8, poses=8, vat=True)
+WANTED = PackOptions(people=60, views=8, poses=8, vat=True)
 
 
 def dressed_toy(stature_m: float = 1.70, *, sleeves: bool = False, shift: int = 0, consent: bool = True) -> Clone:

@@ -248,7 +248,7 @@ def test_eyeballs_have_the_size_of_people_and_lie_behind_the_lids():
         assert np.ptp(whole[generic.part(f"eye_{side}")][:, 0]) == pytest.approx(
             0.024, rel=0.02
         )  # its widest ring is no great circle
-        assert face_motion.eye_through(side, whole, whole) < 0.0
+        assert face_motion.eyeball_protrusion_m(side, whole, whole) < 0.0
         margin = whole[eye_grid(side).ring(0)]
         assert np.median(eyeball(whole, side).outside(margin)) < 0.0015
 

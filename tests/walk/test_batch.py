@@ -17,7 +17,7 @@ from cloner.batch import BatchOptions, batch_folder, summary_table
 from cloner.cloning import CloneOutcome, stamp_options
 from cloner.commands.clones import pace
 from cloner.errors import Cancelled, ClonerError
-from cloner.project.claims import claimed
+from cloner.project.claims import claim
 from cloner.project.manifest import find_visitors, shard
 from cloner.project.stamps import input_stamp, output_digests
 from kit import farming
@@ -199,7 +199,7 @@ def test_two_runs_never_clone_one_visitor_at_once(visitors: Path, tmp_path: Path
     finally:
         other.kill()
         other.wait()
-    with claimed(out, "anna") as ours:
+    with claim(out, "anna") as ours:
         assert ours, "a killed run leaves no lock"
 
 

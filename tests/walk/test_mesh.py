@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.cloning import CloneOutcome
-from cloner.evaluate.measures.crossings import buried_depths, self_crossings
+from cloner.evaluate.measures.crossings import buried_depths, self_intersections
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
@@ -33,7 +33,7 @@ def test_sitting_down_folds_no_skin_deep_into_the_body(cloned_anna: CloneOutcome
         clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
     )
     triangles = load_triangles()[(generic.vertex_part[load_triangles()] == 0).all(axis=1)]
-    found = self_crossings(points, triangles)
+    found = self_intersections(points, triangles)
     assert buried_depths(points, triangles, found).max() < 0.008, "metres; 60 mm with the rig's own weights"
 
 
@@ -46,7 +46,7 @@ def test_skin_stays_out_of_skin(cloned_anna: CloneOutcome, pose: str) -> None:
         clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
     )
     triangles = load_triangles()[(generic.vertex_part[load_triangles()] == 0).all(axis=1)]
-    found = self_crossings(points, triangles)  # some 35 are slivers on an evened shoe's tip, .12 mm deep at most
+    found = self_intersections(points, triangles)  # some 35 are slivers on an evened shoe's tip, .12 mm deep at most
     pressed = (generic.region("lips") | generic.region("mouth_interior"))[triangles].any(axis=1)
     assert (~pressed[found.pairs].all(axis=1)).sum() <= 60, "two thousand with folded toes"
     assert buried_depths(points, triangles, found).max() < 0.002, "metres"

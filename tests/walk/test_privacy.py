@@ -19,7 +19,7 @@ from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings, older_than, table
 from cloner.personal_data.privacy import export_data, forget
 from cloner.project.atomic import result_folder
-from cloner.project.claims import claimed
+from cloner.project.claims import claim
 from cloner.project.results import file_digest, place_digest
 from cloner.project.stamps import output_digests
 from cloner.records.batches import BatchRow
@@ -131,7 +131,7 @@ def test_a_result_whose_manifest_is_broken_is_told_not_deleted(held: tuple[Path,
 def test_nobody_is_forgotten_under_a_running_clones_feet(held: tuple[Path, Path]) -> None:
     root, out = held
     anna = find_holding("anna", holdings(root, out))
-    with claimed(out, "anna"), pytest.raises(ClonerError, match="just now"):
+    with claim(out, "anna"), pytest.raises(ClonerError, match="just now"):
         forget(anna, root, out)
     with result_folder(out, "anna"), pytest.raises(ClonerError, match="just now"):
         forget(anna, root, out)
@@ -151,7 +151,7 @@ def test_lines_of_the_log_go_and_a_running_window_writes_on(held: tuple[Path, Pa
 
 def test_a_longer_name_is_somebody_else(held: tuple[Path, Path]) -> None:
     root, out = held
-    with claimed(out, "anna.b"), result_folder(out, "anna.b") as folder:
+    with claim(out, "anna.b"), result_folder(out, "anna.b") as folder:
         forget(find_holding("anna", holdings(root, out)), root, out)
         assert folder.is_dir()
         assert (out / ".anna.b.claim").exists()

@@ -11,7 +11,7 @@ from typing import Final
 
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress
-from cloner.project.atomic import in_place_of, remove
+from cloner.project.atomic import atomic_path, remove
 
 #: Bytes that are copied between two looks whether somebody stopped it: a slow stick takes a quarter of a second.
 _CHUNK: Final = 1 << 20
@@ -35,7 +35,7 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
         If it cannot be written.
     """
     remove_rests(target)
-    with in_place_of(target) as room:
+    with atomic_path(target) as room:
         files = [source] if source.is_file() else sorted(path for path in source.rglob("*") if path.is_file())
         pairs = [(path, room / path.relative_to(source)) for path in files]
         told = _Told(progress, 2 * sum(path.stat().st_size for path in files))

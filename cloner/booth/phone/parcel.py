@@ -14,7 +14,7 @@ from PIL import Image
 
 from cloner.booth.worker import Progress
 from cloner.errors import ClonerError
-from cloner.project.atomic import in_place_of, remove
+from cloner.project.atomic import atomic_path, remove
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.clones import Clone
 
@@ -51,7 +51,7 @@ def pack(visitor: Path, result: Path, progress: Progress) -> Path:
     clone = load_clone(result / CLONE_FILE)
     place = visitor / FOLDER
     try:
-        with in_place_of(place) as room:
+        with atomic_path(place) as room:
             remove(room)
             room.mkdir()
             _fill(room, clone, result, progress)

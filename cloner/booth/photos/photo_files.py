@@ -17,7 +17,7 @@ from PIL import ExifTags, Image, ImageOps
 from cloner.booth.visitors.person_file import check_consent
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.project.atomic import in_place_of
+from cloner.project.atomic import atomic_path
 from cloner.project.folder import SUFFIXES, load_photo, view_files
 from cloner.records.photos import Photo, PhotoSet
 
@@ -60,7 +60,7 @@ def store_photo(folder: Path, data: bytes, suffix: str, meant: ViewId | None = N
         tray.mkdir(exist_ok=True)
         with _TURN:
             path = _free_place(tray, f".{meant or NEW}{suffix.lower()}")
-            with in_place_of(path) as temporary:
+            with atomic_path(path) as temporary:
                 temporary.write_bytes(data)
     except OSError as error:
         raise ClonerError("the photo cannot be stored", _WRITE_HINT, folder.name) from error
@@ -212,7 +212,7 @@ def turn_right(path: Path) -> None:
             else:
                 upright = ImageOps.exif_transpose(image)
                 upright.transpose(Image.Transpose.ROTATE_270).save(stream, "PNG" if kind == "MPO" else kind)
-        with in_place_of(path) as temporary:
+        with atomic_path(path) as temporary:
             temporary.write_bytes(stream.getvalue())
     except (OSError, ValueError, SyntaxError) as error:
         raise ClonerError("the photo cannot be turned", "Turn it with another program", path.name) from error

@@ -29,7 +29,7 @@ from cloner.statues.blobs import Blob, written_blobs
 from cloner.statues.carved import statue_of
 from cloner.statues.markers import FORMAT, MARKED, known_points
 from cloner.statues.photo_fit import fit_markers, fit_photo, focal_px_of, mark
-from cloner.statues.photographed import USUAL, mesh_of, photo_folder, photographed
+from cloner.statues.photographed import USUAL, clone_with_photo, mesh_of, photo_folder
 from cloner.statues.poses import standing
 from cloner.statues.usual_blobs import usual_blobs
 from cloner.statues.written import statue_folder
@@ -83,7 +83,7 @@ class Carving:
         size = len(clone.atlas.rgb)
         fitted = fit_photo(mesh_of(clone), vertices, markers.px, rgb, focal_px=focal_px, size=size)
         progress("textures", 0.7)
-        made = photographed(clone, fitted)
+        made = clone_with_photo(clone, fitted)
         return statue_of(made, material) if material else made
 
     def save_photo(

@@ -9,7 +9,7 @@ from typing import Final
 
 from cloner.bodies.children import GROWN, stature_mm
 from cloner.bodies.made import clone_of_measures, figure, remeasured_clone
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.bodies.written import body_folder, sex_of
 from cloner.booth.studio.values import BodyWish, Figure
 from cloner.generic.tape import load_tape_rules
@@ -28,7 +28,7 @@ _USUAL_M: Final = {"f": 1.65, "m": 1.75}
 def _usual(sex: str, age_years: float) -> Clone:
     """Return somebody of whom nothing else is told."""
     stature_m = _USUAL_M[sex] if age_years >= GROWN else stature_mm(sex, age_years)[0] / 1e3
-    return clone_of_measures(Told(sex, stature_m, {}, age_years), _SHOWN_TEXELS)
+    return clone_of_measures(BodySpecification(sex, stature_m, {}, age_years), _SHOWN_TEXELS)
 
 
 class Shaping:
@@ -50,12 +50,12 @@ class Shaping:
         progress("body", 0.0)
         told_mm = {key: 10.0 * value for key, value in wish.cm.items()}
         if wish.source is None:
-            body = figure(Told(wish.sex, wish.stature_cm / 100.0, told_mm, wish.age_years))
+            body = figure(BodySpecification(wish.sex, wish.stature_cm / 100.0, told_mm, wish.age_years))
             shown = measures_mm(body.vertices_m, body.joints_m, load_tape_rules())
             return Figure(body.vertices_m, body.joints_m, (), {**shown, **told_mm})
         clone = self._of(wish.source)
         made = remeasured_clone(
-            clone, Told(wish.sex or sex_of(clone), wish.stature_cm / 100.0, told_mm, wish.age_years)
+            clone, BodySpecification(wish.sex or sex_of(clone), wish.stature_cm / 100.0, told_mm, wish.age_years)
         )
         return Figure(
             made.vertices_m, made.joints_m, tuple(shell.vertices_m for shell in made.shells), made.measures_mm

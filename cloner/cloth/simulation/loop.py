@@ -26,7 +26,7 @@ from cloner.cloth.simulation.moving import Worn
 from cloner.cloth.simulation.solver import Lead, State
 from cloner.cloth.simulation.wearer import FRAMES_PER_S, skin_between
 from cloner.easing import smoothstep
-from cloner.evaluate.measures.crossings import self_crossings
+from cloner.evaluate.measures.crossings import self_intersections
 from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.records.arrays import Array
 from cloner.render import render_mesh
@@ -102,7 +102,7 @@ def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = l
     tried: list[tuple[int, int, Loop]] = []
     for start in sorted(finalists, key=lambda start: _edge_px(worn, places_m[start], places_m[start + period])):
         loop = _closed(worn, _repeated(worn, places_m, start, progress), usual_m)
-        crossings = sum(len(self_crossings(frame, worn.cloth.faces).pairs) for frame in loop.frames_m)
+        crossings = sum(len(self_intersections(frame, worn.cloth.faces).pairs) for frame in loop.frames_m)
         tried.append((crossings, len(tried), loop))
         if not crossings:
             break

@@ -1,4 +1,4 @@
-"""One clone made ready for the crowd: a mesh at every level, frames of bones, a small atlas with codes."""
+"""A clone prepared for the crowd: meshes at every level of detail, bone frames, a small atlas with codes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones.clips import Clip, clips_of
 from cloner.crowd.clones.faces import face_moves
-from cloner.crowd.clones.flowing import flowing
+from cloner.crowd.clones.flowing import skin_simulated_cloth
 from cloner.crowd.clones.groups import (
     GROUPS,
     STEP,
@@ -24,7 +24,7 @@ from cloner.crowd.clones.groups import (
     texel_groups,
     triangle_groups,
 )
-from cloner.crowd.clones.hems import hemmed
+from cloner.crowd.clones.hems import refine_hems
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
@@ -50,8 +50,8 @@ CHEST: Final = (0.68, 0.80)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Cast:
-    """One clone as the crowd shows it.
+class CrowdClone:
+    """A clone prepared for the crowd.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class Cast:
     face: NDArray[np.int16] | None = None
 
 
-def cast_of(
+def make_crowd_clone(
     identifier: str,
     clone: Clone,
     body: BodyLevels,
@@ -109,8 +109,8 @@ def cast_of(
     flow: Flow | None = None,
     faces: bool = False,
     budgets: Sequence[int] = LOOSE,
-) -> Cast:
-    """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
+) -> CrowdClone:
+    """Return a clone prepared for the crowd; ``carved`` adds a statue of it as another texture.
 
     Its loose shells have at most ``budgets`` triangles. With ``flow`` its shell of cloth moves as it was simulated,
     with ``faces`` its face can.
@@ -122,13 +122,13 @@ def cast_of(
     """
     groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
     atlas = smaller(clone.atlas.rgb, atlas_px)
-    codes = hemmed(atlas, texel_groups(groups, atlas_px))
+    codes = refine_hems(atlas, texel_groups(groups, atlas_px))
     clips = clips_of(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
     vertices_m, outward, hung = clone.vertices_m, surface_normals(clone.vertices_m), ""
     if flow is not None:
         place = next(k for k, one in enumerate(shells) if one.kind == "cloth")
-        shells[place], clips = flowing(clone, shells[place], flow, clips)
+        shells[place], clips = skin_simulated_cloth(clone, shells[place], flow, clips)
         vertices_m = vertices_m - SUNK_M * flow.hidden[:, None] * outward
         hung = "top" if shells[place].vertices_m[:, 1].max() > CHEST[0] * clone.stature_m else "bottom"
     normals = outward[body.vertex]
@@ -136,7 +136,7 @@ def cast_of(
     looks = looks_of(atlas, codes)
     if flow is not None:
         looks[hung] = _own_look(shell, hung)
-    return Cast(
+    return CrowdClone(
         identifier,
         clone.stature_m,
         vertices_m[body.vertex],

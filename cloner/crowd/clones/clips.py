@@ -90,15 +90,15 @@ def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: 
     body = body_of(clone)
     found = [
         _clip(clone, walked(body, suited(REGULAR, clone.sex, clone.age_years)), poses),
-        _clip(clone, shown(idle(body), IDLE_FRAMES), IDLE_POSES),
-        _clip(clone, shown(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
+        _clip(clone, resampled(idle(body), IDLE_FRAMES), IDLE_POSES),
+        _clip(clone, resampled(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
     ]
     if feelings:
         others = [*(style for style in STYLES.values() if style is not REGULAR), RUN]
         own = [suited(style, clone.sex, clone.age_years) for style in others]
         found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in own]
-        found += [_clip(clone, shown(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
-    return (*found, *(_clip(clone, shown(captured(body, path), WALK_FRAMES), poses) for path in walks))
+        found += [_clip(clone, resampled(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
+    return (*found, *(_clip(clone, resampled(capture_cycle(body, path), WALK_FRAMES), poses) for path in walks))
 
 
 def walked(body: Body, style: Style) -> Motion:
@@ -107,18 +107,18 @@ def walked(body: Body, style: Style) -> Motion:
     Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next. Whoever is
     shown between frames as well is seen low above the ground when a foot has just left it: it rises for two.
     """
-    motion = shown(walk(body, style), WALK_FRAMES)
+    motion = resampled(walk(body, style), WALK_FRAMES)
     return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style), straight=2)
 
 
-def shown(motion: Motion, count: int) -> Motion:
+def resampled(motion: Motion, count: int) -> Motion:
     """Return a motion in so many frames, and once more the first."""
     at = np.arange(count + 1) * float(motion.times_s[-1]) / count
     rotations, root = posed_at(motion, at)
     return Motion(motion.name, at, root, rotations, cyclic=True, speed_m_s=motion.speed_m_s)
 
 
-def captured(body: Body, path: Path) -> Motion:
+def capture_cycle(body: Body, path: Path) -> Motion:
     """Return a capture as an endless walk on the spot.
 
     Raises

@@ -1,4 +1,4 @@
-"""Fewer triangles over a shell's own vertices: pairs of neighbours become one of the two where that shows least.
+"""Simplification of shells by edge collapse (quadric errors) on their own vertices.
 
 References
 ----------
@@ -41,8 +41,8 @@ class _Mesh:
     quadrics: Array  # (K, P, 4, 4)
 
 
-def fewer(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -> NDArray[np.int32]:
-    """Return at most ``most`` (T, 3) triangles of the given ones' vertices.
+def simplify(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -> NDArray[np.int32]:
+    """Return at most ``most`` triangles (T, 3) of the given ones' vertices.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Simulated cloth as the crowd moves everything, by bones: some that no skeleton has carry it in each frame of a walk.
+"""Simulated cloth as additional bones, so that the crowd can skin it (smooth skinning decomposition).
 
 Bones and weights are found by smooth skinning decomposition: each bone turns and shifts rigidly, each vertex follows at
 most four of them. In motions that the cloth was not simulated in, its bones go with the body's as in the walk: as much
@@ -37,8 +37,10 @@ FOLLOWED: Final = 4
 DAMPED_M2: Final = 1e-6
 
 
-def flowing(clone: Clone, shell: Shell, flow: Flow, clips: Sequence[Clip]) -> tuple[Shell, tuple[Clip, ...]]:
-    """Return the shell carried by bones of its own, and clips whose frames have these bones after the skeleton's.
+def skin_simulated_cloth(
+    clone: Clone, shell: Shell, flow: Flow, clips: Sequence[Clip]
+) -> tuple[Shell, tuple[Clip, ...]]:
+    """Return the shell skinned by bones of its own, and clips with these bones after the skeleton's.
 
     Parameters
     ----------
@@ -49,7 +51,7 @@ def flowing(clone: Clone, shell: Shell, flow: Flow, clips: Sequence[Clip]) -> tu
     clips : sequence of Clip
     """
     frames = bone_frames(clone, flow.root_m.astype(np.float64), flow.rotations.astype(np.float64))
-    bones, joints, weights = decomposed(shell.vertices_m, flow.frames_m.astype(np.float64))
+    bones, joints, weights = decompose_skinning(shell.vertices_m, flow.frames_m.astype(np.float64))
     share = _shares(shell, joints, weights, frames.shape[1])
     beside = _after(_inverse(_blended(frames, share)), bones)
     moved = []
@@ -63,8 +65,8 @@ def flowing(clone: Clone, shell: Shell, flow: Flow, clips: Sequence[Clip]) -> tu
     return own, tuple(moved)
 
 
-def decomposed(rest_m: Array, frames_m: Array) -> tuple[Array, NDArray[np.int64], Array]:
-    """Return bones (F, K, 3, 4), the bones that each vertex follows (N, 4), and their weights (N, 4).
+def decompose_skinning(rest_m: Array, frames_m: Array) -> tuple[Array, NDArray[np.int64], Array]:
+    """Return bones (F, K, 3, 4), four bones of each vertex (N, 4), and their weights (N, 4).
 
     Parameters
     ----------

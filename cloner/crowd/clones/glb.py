@@ -13,7 +13,7 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner import __version__
-from cloner.crowd.clones.cast import Cast
+from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.groups import sorted_by_group
 from cloner.crowd.clones.levels import BodyLevels, nested
@@ -33,7 +33,7 @@ JPEG_QUALITY: Final = 85  # taste: crowds are seen from some metres
 _LINEAR, _TRILINEAR, _CLAMP = 9729, 9987, 33071
 
 
-def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
+def levels_glb(cast: CrowdClone, clone: Clone, body: BodyLevels) -> bytes:
     """Return a clone's levels as a file's content.
 
     Parameters

@@ -1,4 +1,4 @@
-"""Ten groups of a clone's surface that can have a colour of their own, their greys, and the clone's own outfit.
+"""Ten recolourable groups of a clone's surface, their greys, and the clone's own outfit.
 
 References
 ----------
@@ -217,15 +217,15 @@ def grey_atlas(rgb: Pixels, codes: Pixels, looks: Mapping[str, GroupLook]) -> Pi
     return np.dstack([grey, grey, grey, codes])
 
 
-def dressed(grey: Pixels, outfit: Mapping[str, tuple[float, float, float]]) -> Pixels:
-    """Return the (S, S, 3) colours of a greyscale atlas in an outfit: one colour 0..255 a group."""
+def recolour(grey: Pixels, outfit: Mapping[str, tuple[float, float, float]]) -> Pixels:
+    """Return the colours (S, S, 3) of a greyscale atlas in an outfit: one colour 0..255 per group."""
     table = np.zeros((256, 3))
     for name, colour in outfit.items():
         table[STEP * (GROUPS.index(name) + 1)] = colour
     return np.clip(np.round(grey[..., :1] / 255.0 * table[grey[..., 3]]), 0, 255).astype(np.uint8)
 
 
-def exchanged(
+def exchange_garment(
     rgb: Pixels, codes: Pixels, donor_rgb: Pixels, donor_codes: Pixels, garment: str
 ) -> tuple[Pixels, Pixels]:
     """Return colours and codes of a wearer in a donor's garment.

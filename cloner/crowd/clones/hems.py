@@ -1,4 +1,4 @@
-"""Where a garment ends, texel by texel: beside borders of triangles' regions the texture's own colours decide.
+"""Hems of garments, texel by texel: near borders of triangle regions the texture's own colours decide.
 
 Regions are of triangles, so a hem lies on a saw of them, and a dye would show its teeth. Where colours say nothing the
 border runs through the middle of the teeth.
@@ -41,8 +41,8 @@ _EVENED: Final = 5.0
 _SHARED: Final = 1.5
 
 
-def hemmed(rgb: Pixels, codes: Pixels) -> Pixels:
-    """Return the (S, S) codes of an atlas with the borders of what is worn where (S, S, 3) colours change."""
+def refine_hems(rgb: Pixels, codes: Pixels) -> Pixels:
+    """Return the codes (S, S) of an atlas with garment borders moved to where colours (S, S, 3) change."""
     scale = len(codes) / _TRIED_PX
     lab = cv2.cvtColor(rgb.astype(np.float32) / 255.0, cv2.COLOR_RGB2Lab)
     charts = codes > 0

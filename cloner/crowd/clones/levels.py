@@ -16,7 +16,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.fewer import fewer
+from cloner.crowd.clones.fewer import simplify
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.records.arrays import Array
@@ -192,5 +192,5 @@ def shell_levels(
         if len(triangles) <= budget:
             found.append(np.asarray(triangles, np.int32))
             continue
-        found.append(fewer(places, weld, triangles, budget))
+        found.append(simplify(places, weld, triangles, budget))
     return tuple(found)

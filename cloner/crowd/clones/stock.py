@@ -1,4 +1,4 @@
-"""A clone's numbers as the shaders read them: whole numbers in rows, the same in a pack and in the painter."""
+"""Arrays of clones for the shaders: integers in rows, the same in a pack and in the painter."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.cast import Cast
+from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.groups import GROUPS, WORN, garment_masks, skin_colours
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose
@@ -45,7 +45,7 @@ BRIGHT: Final = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Numbers:
+class CloneArrays:
     """One clone's arrays for the shaders.
 
     Attributes
@@ -63,8 +63,8 @@ class Numbers:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Stock:
-    """Everything that the shaders read of some clones.
+class CrowdArrays:
+    """All arrays that the shaders read.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Stock:
 
     body: BodyLevels
     budgets: tuple[int, ...]
-    numbers: tuple[Numbers, ...]
+    numbers: tuple[CloneArrays, ...]
     table: NDArray[np.float32]
     atlases: NDArray[np.uint8]
     shells: NDArray[np.uint8]
@@ -96,7 +96,7 @@ class Stock:
     faces: NDArray[np.int16] | None = None
 
 
-def numbers_of(cast: Cast, budgets: Sequence[int] = LOOSE) -> Numbers:
+def numbers_of(cast: CrowdClone, budgets: Sequence[int] = LOOSE) -> CloneArrays:
     """Return a clone's numbers; ``budgets`` are the loose triangles of each level."""
     used, triangles = _compact(cast.loose)
     places = np.concatenate([cast.vertices_m, cast.loose.vertices_m[used]])
@@ -106,7 +106,7 @@ def numbers_of(cast: Cast, budgets: Sequence[int] = LOOSE) -> Numbers:
     frames = np.concatenate([clip.frames for clip in cast.clips])
     scale = np.array([1.0, 1.0, 1.0, BONE_REACH_M])
     bones = np.clip(np.round(frames / scale * BONE_FULL), -BONE_FULL, BONE_FULL).astype(np.int16)
-    return Numbers(vertices, _loose_rows(cast.loose, used), _corners(triangles, budgets), bones)
+    return CloneArrays(vertices, _loose_rows(cast.loose, used), _corners(triangles, budgets), bones)
 
 
 def _compact(loose: Loose) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
@@ -166,12 +166,12 @@ class Baked(IntEnum):
 Sets = Sequence[tuple[int, Baked]]
 
 
-def no_sets(cast: Cast) -> Sets:
+def no_sets(cast: CrowdClone) -> Sets:
     """Return the sets of a clone without impostors."""
     return [(0, Baked.ALL)] * len(cast.clips)
 
 
-def table_row(cast: Cast, sets: Sets, texels_per_m: float, views: int, first_bone: int) -> NDArray[np.float32]:
+def table_row(cast: CrowdClone, sets: Sets, texels_per_m: float, views: int, first_bone: int) -> NDArray[np.float32]:
     """Return a clone's (COLUMNS, 4) row of the clones' table.
 
     Parameters
@@ -211,14 +211,14 @@ def table_row(cast: Cast, sets: Sets, texels_per_m: float, views: int, first_bon
     return row
 
 
-def _shell_look(cast: Cast) -> tuple[float, float]:
+def _shell_look(cast: CrowdClone) -> tuple[float, float]:
     """Return median luma and evenness of the hair's own picture."""
     hair = cast.shell[:, : cast.shell.shape[1] // 2].reshape(-1, 4)
     solid = hair[hair[:, 3] > 127]
     return (max(float(np.median(solid[:, :3] @ [0.2126, 0.7152, 0.0722])), 1.0), 1.0) if len(solid) else (128.0, 1.0)
 
 
-def middle_m(cast: Cast) -> float:
+def middle_m(cast: CrowdClone) -> float:
     """Return the height of the point that impostors are baked around, metres."""
     return float(cast.vertices_m[:, 1].max() / 2.0)
 

@@ -9,7 +9,7 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner import __version__
-from cloner.crowd.clones.cast import Cast, posed
+from cloner.crowd.clones.cast import CrowdClone, posed
 from cloner.crowd.clones.levels import BodyLevels
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.credits import CREDITS
@@ -21,7 +21,7 @@ from cloner.records.arrays import Array
 LEVEL: Final = 1
 
 
-def vat_files(cast: Cast, body: BodyLevels) -> dict[str, bytes]:
+def vat_files(cast: CrowdClone, body: BodyLevels) -> dict[str, bytes]:
     """Return mesh, pictures and remap file by their names in the clone's folder."""
     count = body.counts[LEVEL]
     used = np.unique(cast.loose.triangles[LEVEL]).astype(np.int64)
@@ -35,7 +35,9 @@ def vat_files(cast: Cast, body: BodyLevels) -> dict[str, bytes]:
     return files | {f"{name}.glb": _mesh(cast, body, count, used, triangles, rest, len(moved))}
 
 
-def _frames(cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64]) -> tuple[Array, Array, dict[str, Any]]:
+def _frames(
+    cast: CrowdClone, body: BodyLevels, count: int, used: NDArray[np.int64]
+) -> tuple[Array, Array, dict[str, Any]]:
     """Return (F, N, 3) places and normals of all frames of all clips, and what lies where."""
     moved: list[Array] = []
     turned: list[Array] = []
@@ -59,7 +61,7 @@ def _frames(cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64]) -
 
 
 def _mesh(
-    cast: Cast,
+    cast: CrowdClone,
     body: BodyLevels,
     count: int,
     used: NDArray[np.int64],

@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 from skimage.metrics import structural_similarity
 
-from cloner.crowd.clones.cast import Cast, posed
+from cloner.crowd.clones.cast import CrowdClone, posed
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.levels import BodyLevels
-from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, Baked, Stock, middle_m
+from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, Baked, CrowdArrays, middle_m
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.drawing.tiles import Tile, drawn
 from cloner.records.arrays import Array
@@ -59,7 +59,7 @@ class Tiles:
 
 
 @dataclass(frozen=True, slots=True)
-class Bake:
+class BakeSettings:
     """What to bake.
 
     Attributes
@@ -102,7 +102,7 @@ def axes(azimuth: float, elevation: float) -> Array:
     return np.array([[c, 0.0, -s], [-s * se, ce, -c * se], [s * ce, se, c * ce]])
 
 
-def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
+def bake(cast: CrowdClone, body: BodyLevels, held: CrowdArrays, wanted: BakeSettings) -> Tiles:
     """Return the tiles of a clone.
 
     Parameters
@@ -140,7 +140,7 @@ def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
     return Tiles(lines, tuple(zip(starts, seen, strict=True)), views, colour, shape)
 
 
-def side_likeness(theatre: Theatre, cast: Cast, body: BodyLevels, number: int, wanted: Bake) -> float:
+def side_likeness(theatre: Theatre, cast: CrowdClone, body: BodyLevels, number: int, wanted: BakeSettings) -> float:
     """Return how like a clip's right side is to its left one half a cycle later, mirrored: the worst SSIM of tiles.
 
     Tecchia et al. 2002 mirror symmetric walkers. Clothes, hair and light in photos are what tells sides apart.
@@ -174,7 +174,9 @@ def _on_grey(rgba: Pixels) -> Array:
     return np.asarray(rgba[..., :3] * cover + 127.5 * (1.0 - cover))
 
 
-def _plan(cast: Cast, body: BodyLevels, wanted: Bake, seen: Sequence[Baked]) -> tuple[list[Tile], list[int]]:
+def _plan(
+    cast: CrowdClone, body: BodyLevels, wanted: BakeSettings, seen: Sequence[Baked]
+) -> tuple[list[Tile], list[int]]:
     """Return the tiles in their order (clip, ring, view, pose) and the first one of each clip."""
     found: list[Tile] = []
     starts: list[int] = []
@@ -194,7 +196,7 @@ def _plan(cast: Cast, body: BodyLevels, wanted: Bake, seen: Sequence[Baked]) -> 
     return found, starts
 
 
-def _clouds(cast: Cast, body: BodyLevels, clip: Clip) -> list[Array]:
+def _clouds(cast: CrowdClone, body: BodyLevels, clip: Clip) -> list[Array]:
     """Return points that reach as far as the person does in each pose, from the middle, metres."""
     coarse, loose = slice(0, body.counts[-2]), cast.loose
     some = np.unique(np.concatenate([triangles.reshape(-1) for triangles in loose.triangles[-2:]]))
@@ -232,7 +234,7 @@ def _placed(tiles: Sequence[Tile], page_wide: int) -> tuple[list[tuple[int, int]
     return places, -(-(y + shelf) // 8) * 8
 
 
-def with_tiles(held: Stock, tiles: Sequence[Tiles], wanted: Bake) -> Stock:
+def with_tiles(held: CrowdArrays, tiles: Sequence[Tiles], wanted: BakeSettings) -> CrowdArrays:
     """Return a stock with impostors, one :class:`Tiles` a clone in the stock's order."""
     tall, wide = max(one.colours.shape[0] for one in tiles), wanted.page_wide
     count = max(len(one.rows) for one in tiles)

@@ -15,7 +15,7 @@ _GROWN: Final = 3  # texels that colours go on beyond the outline
 _UNCOVERED: Final = 255  # no code is as large
 
 
-def reduced(colour: Pixels, shape: Pixels, every: int = 2) -> tuple[Pixels, Pixels]:
+def downsample_tiles(colour: Pixels, shape: Pixels, every: int = 2) -> tuple[Pixels, Pixels]:
     """Return the page's texels from its samples; colours and shapes go on a little beyond the outline.
 
     A texel of shapes is as large as ``every`` ones of colours; codes are as every second one.

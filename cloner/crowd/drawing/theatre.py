@@ -30,7 +30,7 @@ _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "a
 class Theatre:
     """One GL context with the textures of a stock and of the people in front of it."""
 
-    def __init__(self, held: stock.Stock) -> None:
+    def __init__(self, held: stock.CrowdArrays) -> None:
         self.stock = held
         self._gl: Any = new_context()
         self._programs = {name: self._program(*parts) for name, parts in PARTS.items()}

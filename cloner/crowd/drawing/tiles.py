@@ -9,9 +9,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.cast import Cast
+from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.stock import BAKED_FROM_M, middle_m
-from cloner.crowd.drawing.texels import SAMPLES, reduced
+from cloner.crowd.drawing.texels import SAMPLES, downsample_tiles
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.records.arrays import Array
 
@@ -33,7 +33,7 @@ class Tile:
     size: tuple[int, int]
 
 
-def _people(cast: Cast, tiles: Sequence[Tile]) -> tuple[list[int], NDArray[np.float32]]:
+def _people(cast: CrowdClone, tiles: Sequence[Tile]) -> tuple[list[int], NDArray[np.float32]]:
     """Return the row of people that stands in each tile, and the rows: one a pose of each clip."""
     poses = sorted({(tile.clip, tile.frame) for tile in tiles})
     people = np.zeros((len(poses), 5, 4), np.float32)
@@ -47,7 +47,7 @@ def _people(cast: Cast, tiles: Sequence[Tile]) -> tuple[list[int], NDArray[np.fl
 
 def drawn(
     theatre: Theatre,
-    cast: Cast,
+    cast: CrowdClone,
     tiles: Sequence[Tile],
     places: Sequence[tuple[int, int]],
     page: tuple[int, int],
@@ -77,7 +77,7 @@ def drawn(
             }  # fmt: skip
             theatre.draw_people(BAKED_LEVEL, np.array([[row, 1.0]], np.float32), values, "bake")
         used = (last - first) * SAMPLES
-        found = reduced(theatre.read(target)[:used], theatre.read(target, 1)[:used], every)
+        found = downsample_tiles(theatre.read(target)[:used], theatre.read(target, 1)[:used], every)
         colours[first:last], shapes[first // every : last // every] = found
     return colours, shapes
 

@@ -9,7 +9,14 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from cloner.crowd.packs.files import digest
-from cloner.crowd.packs.reading import LARGEST_FILE_BYTES, casting_from, checked, read_acted, read_facts, read_stock
+from cloner.crowd.packs.reading import (
+    LARGEST_FILE_BYTES,
+    casting_from,
+    read_acted,
+    read_checked,
+    read_facts,
+    read_stock,
+)
 from cloner.crowd.staged.scene import ACTED, SCENES, Scene, looks_shown, places, scene_of
 from cloner.errors import ClonerError
 from cloner.untrusted import read_untrusted
@@ -31,7 +38,7 @@ def check_pack(pack: Path) -> list[str]:
     facts = read_facts(pack)
     size = 0
     for name in facts["files"]:
-        size += len(checked(pack, name, facts))
+        size += len(read_checked(pack, name, facts))
     try:
         page = read_untrusted(pack / "player.html", LARGEST_FILE_BYTES)
     except OSError as error:

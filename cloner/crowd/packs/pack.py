@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 
 from cloner import __version__
 from cloner.crowd.clones import stock
-from cloner.crowd.clones.cast import Cast, cast_of
+from cloner.crowd.clones.cast import CrowdClone, make_crowd_clone
 from cloner.crowd.clones.faces import FEELINGS, STEP_M, TARGETS, face_rows
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import FLOWING, LOOSE, BodyLevels, body_levels
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.crowd.clones.vat import vat_files
-from cloner.crowd.drawing.impostors import Bake, bake
+from cloner.crowd.drawing.impostors import BakeSettings, bake
 from cloner.crowd.drawing.player import BODY_FILE, FACE_FILE, player_page
 from cloner.crowd.drawing.theatre import DEPTH_RANGE_M, SUN
 from cloner.crowd.packs.files import (
@@ -36,7 +36,7 @@ from cloner.crowd.packs.files import (
     tile_files,
     webp,
 )
-from cloner.crowd.packs.wanted import Wanted, check_wanted
+from cloner.crowd.packs.wanted import PackOptions, check_options
 from cloner.crowd.staged import scene
 from cloner.crowd.staged.looks import casting_of, lendable, read_looks
 from cloner.project.flow_file import FLOW_FILE, load_flow
@@ -54,7 +54,7 @@ ATLAS_QUALITY: Final = 85
 
 
 def make_pack(
-    results: Sequence[Path], out: Path, wanted: Wanted, told: Callable[[str, int, int], None] = lambda *_: None
+    results: Sequence[Path], out: Path, wanted: PackOptions, told: Callable[[str, int, int], None] = lambda *_: None
 ) -> dict[str, Any]:
     """Write a pack of clones and return its facts, as ``crowd.json`` holds them.
 
@@ -73,7 +73,7 @@ def make_pack(
     ClonerError
         If no clone can be used, one may not be shown, or the disk refuses.
     """
-    check_wanted(wanted)
+    check_options(wanted)
     looks = read_looks(wanted.looks)
     casting_of([], looks)  # nobody waits for a bake to hear that a colour is none, or that the last clone is refused
     found, body, generic, first_bone = find_people(results), body_levels(mouth=wanted.faces), "", 0
@@ -86,7 +86,7 @@ def make_pack(
         for number, one in enumerate(found, start=1):
             told(one.identifier, number, len(found))
             clone, _ = load_person(one, generic)
-            cast = cast_of(
+            cast = make_crowd_clone(
                 one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,
                 carved=wanted.carved, flow=load_flow(one.folder, clone), faces=wanted.faces,
                 budgets=budgets,
@@ -116,10 +116,10 @@ def make_pack(
 
 def _person(
     folder: Path,
-    cast: Cast,
+    cast: CrowdClone,
     clone: Clone,
     body: BodyLevels,
-    wanted: Wanted,
+    wanted: PackOptions,
     budgets: tuple[int, ...],
     first_bone: int,
     files: dict[str, str],
@@ -175,29 +175,29 @@ def _person(
     return row, first_bone + len(own.bones)
 
 
-def bake_of(wanted: Wanted, cast: Cast) -> Bake:
+def bake_of(wanted: PackOptions, cast: CrowdClone) -> BakeSettings:
     """Return how a clone's impostors are baked."""
     views = wanted.views or (MANY_VIEWS if cast.width_to_depth > WIDE_RATIO else FEW_VIEWS)
     elevations = tuple(float(np.radians(ring)) for ring in wanted.rings_deg)
-    plan = Bake(views, (wanted.views or MIRRORED_VIEWS) if wanted.mirror else 0, elevations)
+    plan = BakeSettings(views, (wanted.views or MIRRORED_VIEWS) if wanted.mirror else 0, elevations)
     return replace(plan, texels_per_m=plan.texels_per_m / stock.TEXELS_PER_PX) if wanted.classic else plan
 
 
 def stock_of(
     body: BodyLevels,
-    casts: Sequence[Cast],
-    numbers: Sequence[stock.Numbers],
+    casts: Sequence[CrowdClone],
+    numbers: Sequence[stock.CloneArrays],
     sets: Sequence[stock.Sets],
-    plan: Bake,
+    plan: BakeSettings,
     budgets: tuple[int, ...] = LOOSE,
-) -> stock.Stock:
+) -> stock.CrowdArrays:
     """Return the stock of some clones without impostors."""
     first = stock.frames_before([cast.clips for cast in casts])
     rows = [
         stock.table_row(cast, own, plan.texels_per_m, plan.views, bone)
         for cast, own, bone in zip(casts, sets, first, strict=True)
     ]
-    return stock.Stock(
+    return stock.CrowdArrays(
         body, budgets, tuple(numbers), np.stack(rows), np.stack([np.dstack([c.atlas, c.marks]) for c in casts]),
         np.stack([cast.shell for cast in casts]),
     )  # fmt: skip
@@ -213,7 +213,7 @@ def body_arrays(body: BodyLevels) -> dict[str, NDArray[Any]]:
 
 
 def _facts(
-    wanted: Wanted,
+    wanted: PackOptions,
     rows: list[dict[str, Any]],
     body: BodyLevels,
     budgets: tuple[int, ...],

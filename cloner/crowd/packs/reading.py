@@ -11,12 +11,12 @@ import numpy as np
 
 from cloner.crowd.clones.faces import face_wedges
 from cloner.crowd.clones.levels import body_levels, budgets_in
-from cloner.crowd.clones.stock import Numbers, Stock
-from cloner.crowd.drawing.impostors import Bake, with_tiles
+from cloner.crowd.clones.stock import CloneArrays, CrowdArrays
+from cloner.crowd.drawing.impostors import BakeSettings, with_tiles
 from cloner.crowd.drawing.player import ACTED_FILE, FACE_FILE, SPOKEN_FILE, STONES
 from cloner.crowd.packs.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
-from cloner.crowd.packs.told import why_unfit
-from cloner.crowd.staged.faces import Said, Spoken
+from cloner.crowd.packs.told import find_invalid
+from cloner.crowd.staged.faces import SpeechTrack, Utterance
 from cloner.crowd.staged.footing import Acted, fits
 from cloner.crowd.staged.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.staged.scene import Casting
@@ -49,12 +49,12 @@ def read_facts(pack: Path) -> dict[str, Any]:
         raise ClonerError("the crowd was made by a newer version", "Update Cloner", MARK)
     if facts["version"] < VERSION:
         raise ClonerError("the crowd was made by an older version and cannot be read", _AGAIN, MARK)
-    if wrong := why_unfit(facts):
+    if wrong := find_invalid(facts):
         raise ClonerError(f"the crowd's description cannot be read: {printable(wrong)} is unfit", _AGAIN, MARK)
     return dict(facts)
 
 
-def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
+def read_stock(pack: Path, facts: dict[str, Any]) -> CrowdArrays:
     """Return a pack's clones with their impostors.
 
     Raises
@@ -69,30 +69,30 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
     try:
         for row in facts["people"]:
             files = {
-                name: checked(pack, f"people/{row['id']}/{name}", facts)
+                name: read_checked(pack, f"people/{row['id']}/{name}", facts)
                 for name in ("numbers.bin", "atlas.webp", "codes.webp", "shell.webp", *_TILES)
             }
             arrays = unpacked(files["numbers.bin"], row["arrays"])
-            numbers.append(Numbers(*(arrays[name] for name in ("vertices", "loose", "corners", "bones"))))
+            numbers.append(CloneArrays(*(arrays[name] for name in ("vertices", "loose", "corners", "bones"))))
             rows.append(arrays["table"])
             atlases.append(np.dstack([picture(files["atlas.webp"]), picture(files["codes.webp"])[..., 0]]))
             shells.append(shell_from(files["shell.webp"]))
             tiles.append(tiles_from(files, arrays["tiles"]))
             for name, own in stones.items():
-                own.append(picture(checked(pack, f"people/{row['id']}/{name}", facts)))
+                own.append(picture(read_checked(pack, f"people/{row['id']}/{name}", facts)))
             if "faces" in facts:
-                data = checked(pack, f"people/{row['id']}/{FACE_FILE}", facts)
+                data = read_checked(pack, f"people/{row['id']}/{FACE_FILE}", facts)
                 faces.append(unpacked(data, row["face"])["moves"])
                 if faces[-1].shape[1] != len(face_wedges(body)):
                     raise ValueError("another body's face")
         elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
         budgets = budgets_in(facts["numbers"]["loose"])
-        held = Stock(body, budgets, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
+        held = CrowdArrays(body, budgets, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
         if stones:
             held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
         if faces:
             held = replace(held, faces=np.stack(faces))
-        return with_tiles(held, tiles, Bake(elevations=elevations))
+        return with_tiles(held, tiles, BakeSettings(elevations=elevations))
     except (ValueError, LookupError, TypeError, OSError) as error:
         raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
 
@@ -108,7 +108,7 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
     if "acted" not in facts:
         raise ClonerError("the crowd acts no scenario", "Make one with cloner crowd bake", pack.name)
     try:
-        acted = Acted(**unpacked(checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
+        acted = Acted(**unpacked(read_checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
         if not fits(acted, [len(row["clips"]) for row in facts["people"]]):
             raise ValueError("other clones")
     except (ValueError, LookupError, TypeError) as error:
@@ -116,7 +116,7 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
     return acted
 
 
-def read_spoken(pack: Path, facts: dict[str, Any]) -> Spoken | None:
+def read_spoken(pack: Path, facts: dict[str, Any]) -> SpeechTrack | None:
     """Return what is said in a pack's film, None where nobody speaks.
 
     Raises
@@ -128,13 +128,13 @@ def read_spoken(pack: Path, facts: dict[str, Any]) -> Spoken | None:
         return None
     told = facts["spoken"]
     try:
-        weights = unpacked(checked(pack, SPOKEN_FILE, facts), told["arrays"])["weights"]
-        said = tuple(Said(**{name: one[name] for name in Said.__slots__}) for one in told["said"])
+        weights = unpacked(read_checked(pack, SPOKEN_FILE, facts), told["arrays"])["weights"]
+        said = tuple(Utterance(**{name: one[name] for name in Utterance.__slots__}) for one in told["said"])
         if not np.isfinite(weights).all() or any(one.first + one.frames > len(weights) for one in said):
             raise ValueError("another film's")
     except (ValueError, LookupError, TypeError) as error:
         raise ClonerError("what is said does not fit the film", "Make it again", pack.name) from error
-    return Spoken(weights, said)
+    return SpeechTrack(weights, said)
 
 
 def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
@@ -149,8 +149,8 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
         return None
     told = facts["room"]
     try:
-        held = unpacked(checked(pack, ROOM_FILE, facts), told["arrays"])
-        looks, light, sun = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE))
+        held = unpacked(read_checked(pack, ROOM_FILE, facts), told["arrays"])
+        looks, light, sun = (picture(read_checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE))
         shape = tuple(told["shape"])
         fits_in = sun.shape == light.shape and held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
         finite = all(np.isfinite(one).all() for one in held.values())
@@ -163,7 +163,7 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
     return LitRoom(held["corners"], looks, light, sun[..., 0], probes, told)
 
 
-def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
+def read_checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
     """Return a file's content if it is the one that was written.
 
     Raises

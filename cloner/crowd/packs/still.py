@@ -17,13 +17,13 @@ from cloner.crowd.packs.held import filmed
 from cloner.crowd.packs.reading import casting_from, read_acted, read_facts, read_room, read_spoken, read_stock
 from cloner.crowd.staged.daylight import CAST_PX, DAY, Hour, room_values
 from cloner.crowd.staged.eye import Eye
-from cloner.crowd.staged.faces import Spoken, faces_values
+from cloner.crowd.staged.faces import SpeechTrack, faces_values
 from cloner.crowd.staged.footing import GONE, Acted, felt_at, rows_at
 from cloner.crowd.staged.rooms import LitRoom, glow_of
 from cloner.crowd.staged.scene import ACTED, SCENES, Scene, places, scene_of
 from cloner.crowd.staged.staging import UP, Staging, finished, staging_of
 from cloner.errors import ClonerError
-from cloner.project.atomic import appears
+from cloner.project.atomic import atomic_file
 from cloner.vision.photographs.films import FORMATS, png_text, write_film
 
 Pixels = NDArray[np.uint8]
@@ -93,7 +93,7 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
             theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging,
             read_spoken(pack, facts) if name == ACTED else None,
         )  # fmt: skip
-        with appears(out) as temporary:
+        with atomic_file(out) as temporary:
             if out.suffix.lower() in FORMATS:
                 write_film(_film(painter, views[view]), FRAMES_PER_S, temporary, filmed(facts["people"]))
             else:
@@ -118,7 +118,7 @@ class Painter:
 
     def __init__(
         self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
-        room: LitRoom | None = None, staging: Staging | None = None, spoken: Spoken | None = None,
+        room: LitRoom | None = None, staging: Staging | None = None, spoken: SpeechTrack | None = None,
     ) -> None:  # fmt: skip
         self._staging, self._spoken = staging, spoken
         self._room = room

@@ -1,4 +1,4 @@
-"""What ``crowd.json`` must say: every value is looked at once, so that whoever draws a pack meets no surprise."""
+"""Validation of ``crowd.json``: every value is checked once before a pack is drawn."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ LARGEST_COUNT: Final = 1 << 28
 GARMENTS: Final = ("top", "bottom", "shoes", "hair")
 
 
-def why_unfit(facts: Any) -> str:
-    """Return the first thing that a pack's description says wrongly, by its name; "" where all is well.
+def find_invalid(facts: Any) -> str:
+    """Return the first invalid value of a pack's description, by its name; "" where it is valid.
 
     Only what Cloner reads back is looked at; other programs may add what they like.
     """
@@ -60,8 +60,8 @@ def why_unfit(facts: Any) -> str:
     return ""
 
 
-def why_unfit_newcomer(row: Any, *, faces: bool) -> str:
-    """Return the first thing that is wrong in what is said of a clone from elsewhere; "" where all is well."""
+def find_invalid_newcomer(row: Any, *, faces: bool) -> str:
+    """Return the first invalid value in the description of a clone from elsewhere; "" where it is valid."""
     arrays = {**_ARRAYS, **_FEET, **({"moves": _MOVES} if faces else {})}
     wrong = _unfit(row, {"arrays": arrays, "stature_m": _number(0.3, 3.0)}, "")
     return wrong or ("" if set(row) == {"arrays", "stature_m"} and set(row["arrays"]) == set(arrays) else "arrays")
@@ -145,7 +145,7 @@ def _array(kind: str, *axes: int) -> Mapping[str, Any]:
     return {"at": _whole(0, LARGEST_COUNT), "type": lambda value: value == kind, "shape": fits}
 
 
-#: As :class:`cloner.crowd.clones.stock.Numbers` has them.
+#: As :class:`cloner.crowd.clones.stock.CloneArrays` has them.
 _ARRAYS: Final = {
     "vertices": _array("uint16", 0, 4), "loose": _array("uint16", 0, 4), "corners": _array("uint16", 0),
     "bones": _array("int16", 0, 0, 3, 4), "table": _array("float32", COLUMNS, 4), "tiles": _array("float32", 0, 4),

@@ -1,4 +1,4 @@
-"""What a crowd's pack was asked to be."""
+"""Options of a crowd's pack."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ MOST_WALKS: Final = stock.MOST_CLIPS - 3 - len(STYLES) - len(ACTS)
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
-    """What ``cloner crowd`` was asked for.
+class PackOptions:
+    """Options of ``cloner crowd``.
 
     Attributes
     ----------
@@ -77,8 +77,8 @@ def rings_of(text: str) -> tuple[float, ...]:
         raise ClonerError(f"{text!r} is no list of degrees", "Write it like 5,25,45", "--rings") from error
 
 
-def check_wanted(wanted: Wanted) -> None:
-    """Say what cannot be.
+def check_options(wanted: PackOptions) -> None:
+    """Refuse impossible options.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Who speaks in a film, and how the face moves then; ``faces.js`` plays the same."""
+"""Speech in a film and the facial motion of the speakers; ``faces.js`` plays the same."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MOST_SAID: Final = 1_000
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class Utterance:
     """What one person says: who, from which second on, the first row of weights, how many, the sound's file or ""."""
 
     who: int
@@ -29,11 +29,11 @@ class Said:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Spoken:
+class SpeechTrack:
     """All that is said: (F, K) weights of `cloner.crowd.clones.faces.TARGETS`, padded, and who says which rows."""
 
     weights: NDArray[np.float32]
-    said: Sequence[Said]
+    said: Sequence[Utterance]
 
     def faces(self, now: float) -> tuple[list[int], NDArray[np.float32]]:
         """Return who speaks at a time, and the (n, K) weights of those faces."""

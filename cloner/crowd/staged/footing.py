@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.cast import posed
 from cloner.crowd.clones.clips import WALK_FRAMES
 from cloner.crowd.clones.levels import BodyLevels
-from cloner.crowd.clones.stock import BONE_FULL, BONE_REACH_M, BOX_MIN_M, BOX_STEP_M, Numbers
+from cloner.crowd.clones.stock import BONE_FULL, BONE_REACH_M, BOX_MIN_M, BOX_STEP_M, CloneArrays
 from cloner.crowd.staged.scene import IDLE
 from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
@@ -247,7 +247,7 @@ def _put(
     row[4, 0] = other * CLIP_STEP + second
 
 
-def touches_of(numbers: Numbers, body: BodyLevels, clips: Sequence[Mapping[str, Any]]) -> NDArray[np.float32]:
+def touches_of(numbers: CloneArrays, body: BodyLevels, clips: Sequence[Mapping[str, Any]]) -> NDArray[np.float32]:
     """Return (K, WALK_FRAMES, 6) the touching points of a clone's walks; see :class:`Acted`.
 
     Parameters
@@ -273,7 +273,7 @@ def touches_of(numbers: Numbers, body: BodyLevels, clips: Sequence[Mapping[str, 
     return table
 
 
-def sole_places(numbers: Numbers, body: BodyLevels, side: str) -> Array:
+def sole_places(numbers: CloneArrays, body: BodyLevels, side: str) -> Array:
     """Return (F, n, 3) where the points of a sole are in all frames of a clone's clips, model frame, metres."""
     generic = load_generic()
     sole = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))

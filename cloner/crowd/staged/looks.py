@@ -12,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.cast import Cast
+from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.groups import WORN, garment_masks
 from cloner.crowd.clones.zones import REACHED, zone_texels
 from cloner.crowd.staged.scene import Casting
@@ -82,7 +82,7 @@ def casting_of(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[s
     return Casting(len(masks), palettes, wardrobe, own, min(dyed, 1.0 - own))
 
 
-def lendable(cast: Cast) -> dict[str, NDArray[np.bool_]]:
+def lendable(cast: CrowdClone) -> dict[str, NDArray[np.bool_]]:
     """Return which texels each of a clone's garments covers, (S, S) each; none where it hangs on as a loose shell.
 
     A skirt's or a coat's shell belongs to its wearer alone: what it hangs from is neither lent nor put off.

@@ -1,4 +1,4 @@
-"""Who stands, walks and sits where, in which look: the same rules as ``web/scene.js``, number for number.
+"""Placement and looks of people who stand, walk and sit: the same rules as ``web/scene.js``, number for number.
 
 Paths are closed formulas of time, so that the shaders place everybody: lanes along Z, rings around the middle, seats.
 Neighbouring lanes and rings take their clones from three different classes, so the same clone never comes near itself.
@@ -36,8 +36,8 @@ WALK, IDLE, SIT = 0, 1, 2
 _MASK: Final = 0xFFFFFFFF
 
 
-class Dice:
-    """Mulberry32: 32 bits of state, the same numbers in every language."""
+class Mulberry32:
+    """The Mulberry32 random generator: 32 bits of state, the same numbers in every language."""
 
     def __init__(self, seed: int) -> None:
         self._state = seed & _MASK
@@ -98,10 +98,10 @@ def scene_of(name: str, people: int, casting: Casting, seed: int = 1) -> Scene:
         If there is no such scene.
     """
     maker = {"walk": _walk, "plaza": _plaza, "stadium": _stadium}[name]
-    return maker(people, casting, Dice(seed))
+    return maker(people, casting, Mulberry32(seed))
 
 
-def _walk(people: int, casting: Casting, dice: Dice) -> Scene:
+def _walk(people: int, casting: Casting, dice: Mulberry32) -> Scene:
     lane_m = max(40.0, math.ceil(math.sqrt(people * LANE_M * ALONG_M) * 1.2))
     each = math.floor(lane_m / ALONG_M)
     lanes = math.ceil(people / each)
@@ -118,7 +118,7 @@ def _walk(people: int, casting: Casting, dice: Dice) -> Scene:
     return _scene(rows, lane_m)
 
 
-def _plaza(people: int, casting: Casting, dice: Dice) -> Scene:
+def _plaza(people: int, casting: Casting, dice: Mulberry32) -> Scene:
     rows: list[list[float]] = []
     ring = 0
     while len(rows) // PERSON_TEXELS < people:
@@ -141,7 +141,7 @@ def _plaza(people: int, casting: Casting, dice: Dice) -> Scene:
     return _scene(rows, 100.0)
 
 
-def _stadium(people: int, casting: Casting, dice: Dice) -> Scene:
+def _stadium(people: int, casting: Casting, dice: Mulberry32) -> Scene:
     rows: list[list[float]] = []
     rises = max(8, math.ceil(math.sqrt(people) / 4.0))
     row = 0
@@ -166,7 +166,7 @@ def _stadium(people: int, casting: Casting, dice: Dice) -> Scene:
     return _scene(rows, 100.0)
 
 
-def _order(line: int, casting: Casting, dice: Dice) -> list[int]:
+def _order(line: int, casting: Casting, dice: Mulberry32) -> list[int]:
     """Return the clones of a lane, ring or row in the order they come again and again."""
     own = [c for c in range(casting.clones) if casting.clones < ENOUGH or c % CLASSES == line % CLASSES]
     for k in range(len(own) - 1, 0, -1):
@@ -175,7 +175,7 @@ def _order(line: int, casting: Casting, dice: Dice) -> list[int]:
     return own
 
 
-def _mixed(order: list[int], k: int, dice: Dice) -> None:
+def _mixed(order: list[int], k: int, dice: Mulberry32) -> None:
     """Let some neighbours change places after each time round: an eye sees rows that come again and again.
 
     Rings and lanes close, and a clone would meet itself there.
@@ -194,7 +194,7 @@ def _add(
     clip: int,
     up: float,
     casting: Casting,
-    dice: Dice,
+    dice: Mulberry32,
 ) -> None:
     scale = scale_of(dice)
     phase = dice.roll()
@@ -202,12 +202,12 @@ def _add(
     rows += [path, [speed, phase, clone, scale], [*donors, clip], dyes, [up, 0.0, 0.0, 0.0]]
 
 
-def scale_of(dice: Dice) -> float:
+def scale_of(dice: Mulberry32) -> float:
     """Return how large somebody is against the clone."""
     return 0.96 + 0.08 * dice.roll()
 
 
-def look_of(clone: int, casting: Casting, dice: Dice) -> tuple[list[float], list[float]]:
+def look_of(clone: int, casting: Casting, dice: Mulberry32) -> tuple[list[float], list[float]]:
     """Return whose top, bottom and shoes somebody wears, and the dyes of top, bottom, shoes and hair or -1."""
     donors, dyes = [float(clone)] * 3, [-1.0] * 4
     kind = dice.roll()

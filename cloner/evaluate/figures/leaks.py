@@ -1,4 +1,4 @@
-"""How much of a clone's texture shows the room instead of the person."""
+"""Background colours in a clone's texture."""
 
 from __future__ import annotations
 
@@ -57,14 +57,14 @@ def background_texels(clone: Clone, generic: GenericHuman, photos: Mapping[ViewI
     photos : mapping of ViewId to TruthView
         Of one framing, the body or the face: heights are shares of what a photo shows of the person.
     """
-    judged = {view: _Judged(photo, _signed_px(photo.mask)) for view, photo in photos.items()}
+    judged = {view: _TruthWithDistances(photo, _signed_px(photo.mask)) for view, photo in photos.items()}
     person = cKDTree(np.concatenate([_person_colours(each) for each in judged.values()]))
-    atlas = generic_atlas(generic, len(clone.atlas.rgb), wanted=_body(generic))
+    atlas = generic_atlas(generic, len(clone.atlas.rgb), wanted=_body_triangles(generic))
     return {view: _count(clone, generic, atlas, clone.views[view], each, person) for view, each in judged.items()}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Judged:
+class _TruthWithDistances:
     """The truth of one photo, and (H, W) distances to its outline, px, positive inside."""
 
     truth: TruthView
@@ -76,7 +76,7 @@ class _Judged:
         return len(self.truth.mask) / OUTLINE_HEIGHT_PX
 
 
-def _person_colours(judged: _Judged) -> Array:
+def _person_colours(judged: _TruthWithDistances) -> Array:
     """Return (N, 4) the colours a photo shows of the person and their heights, to be asked for the nearest."""
     truth = judged.truth
     row, column = np.nonzero(judged.signed_px > INSIDE_PX * judged.scale)
@@ -98,10 +98,10 @@ def _features(lab: Array, heights: Array) -> Array:
 
 
 def _count(
-    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _Judged, person: cKDTree
+    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _TruthWithDistances, person: cKDTree
 ) -> int:
     """Return the number of texels near one photo's outline that look like the wall beside them."""
-    places, colours = _seen_beside(clone, generic, atlas, seen, judged)
+    places, colours = _texels_near_outline(clone, generic, atlas, seen, judged)
     if not len(places):
         return 0
     lab = rgb2lab(colours[None])[0]
@@ -116,15 +116,15 @@ def _count(
     return int(np.count_nonzero(away < ALIKE))
 
 
-def _body(generic: GenericHuman) -> NDArray[np.bool_]:
+def _body_triangles(generic: GenericHuman) -> NDArray[np.bool_]:
     triangles = generic.triangles()[0]
     return generic.skin[triangles[:, 0]]
 
 
-def _seen_beside(
-    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _Judged
+def _texels_near_outline(
+    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _TruthWithDistances
 ) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
-    """Return (N, 2) pixels and (N, 3) colours of the texels that the camera sees near the true outline."""
+    """Return pixels (N, 2) and colours (N, 3) of the texels that the camera sees near the true outline."""
     sight = visibility(pose_clone(clone, generic, seen.rotations).vertices_m, atlas.triangles, seen.camera)
     values = atlas.interpolate(np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine]))
     height, width = judged.truth.mask.shape

@@ -1,4 +1,4 @@
-"""How a clone looks: silhouettes and pictures through known cameras."""
+"""Likeness of a clone: silhouettes and pictures through known cameras."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.evaluate.measures.posing import (
+    fit_rotations,
     joints_by_truth_name,
     landmarks,
     moved_camera,
     pose_clone,
-    rotations_towards,
     truth_from_body,
     truth_from_points,
 )
-from cloner.evaluate.measures.rulers import overlap, picture_similarity
+from cloner.evaluate.measures.rulers import mask_iou, picture_similarity
 from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -53,7 +53,7 @@ def seen_as_photo(subject: Clone, clone: Clone, generic: GenericHuman, view: Vie
             joints_by_truth_name(pose_clone(who, generic, seen.rotations), generic) for who in (subject, clone)
         )
         camera = moved_camera(camera, truth_from_points(own, goal))
-    return overlap(render_mask(subject, camera, seen.rotations), mask)
+    return mask_iou(render_mask(subject, camera, seen.rotations), mask)
 
 
 def held_out_camera(subject: Clone, rotations: Array, generic: GenericHuman, truth: TruthView) -> Camera:
@@ -92,9 +92,9 @@ def held_out_likeness(
     arms hang forward, so the subject is first brought to the truth's joints by
     rotations, the baselines in the same way.
     """
-    rotations = rotations_towards(subject, generic, truth.joints_m, truth.points_m, start)
+    rotations = fit_rotations(subject, generic, truth.joints_m, truth.points_m, start)
     camera = held_out_camera(subject, rotations, generic, truth)
     mask = render_mask(subject, camera, rotations)
     picture = render(subject, camera, rotations, shading="photo")
     similar, difference = picture_similarity(picture, mask, truth.photo, truth.mask)
-    return {"silhouette_iou": overlap(mask, truth.mask), "ssim": similar, "delta_e": difference}, picture
+    return {"silhouette_iou": mask_iou(mask, truth.mask), "ssim": similar, "delta_e": difference}, picture

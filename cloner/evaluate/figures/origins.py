@@ -1,4 +1,4 @@
-"""Which photo, and which pixel of it, every texel of a clone's atlas came from."""
+"""The source photo and pixel of every texel of a clone's atlas."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _TOP_LEVEL: Final = 250.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Origins:
-    """Where the painted texels of an atlas came from.
+class TexelOrigins:
+    """Sources of the painted texels of an atlas.
 
     Attributes
     ----------
@@ -49,8 +49,9 @@ class Origins:
     views: tuple[ViewId, ...]
 
 
-def texel_origins(values: Mapping[str, Any]) -> Origins | None:
-    """Return the origins of a clone's texels, painted once more by the same rules; None where no photo shows the body.
+def texel_origins(values: Mapping[str, Any]) -> TexelOrigins | None:
+    """Return the origins of a clone's texels, by painting it again with the same rules; None where no photo shows the
+    body.
 
     Parameters
     ----------
@@ -72,12 +73,12 @@ def texel_origins(values: Mapping[str, Any]) -> Origins | None:
         for source, share in zip(shared.sources, shared.shares, strict=True)
     ]
     scales = [max(source.matted.inside_px.shape) / _TOP_LEVEL for source in shared.sources]
-    placed = [_placed(source, scale) for source, scale in zip(shared.sources, scales, strict=True)]
+    placed = [_with_position_picture(source, scale) for source, scale in zip(shared.sources, scales, strict=True)]
     return _owners(generic, placed, tables, scales, params)
 
 
-def _placed(source: Source, scale: float) -> Source:
-    """Return a source whose photo shows, as red and green, where each of its pixels lies."""
+def _with_position_picture(source: Source, scale: float) -> Source:
+    """Return a source whose photo encodes each pixel's position as red and green."""
     height, width = source.matted.inside_px.shape
     row, column = np.mgrid[:height, :width].astype(np.float32) / np.float32(scale)
     places: Any = np.stack([column, row, np.zeros_like(row)], axis=2)
@@ -90,7 +91,7 @@ def _owners(
     tables: list[NDArray[np.float32]],
     scales: list[float],
     params: Params,
-) -> Origins:
+) -> TexelOrigins:
     atlas = generic_atlas(generic, SIZE)
     count = SIZE * SIZE
     best, owner = np.zeros(count, np.float32), np.full(count, -1)
@@ -105,7 +106,7 @@ def _owners(
     texel = atlas.texel[rows]
     row_of_view = np.array([views.index(source.view) for source in sources])
     mirrored = np.array([source.mirrored for source in sources])
-    return Origins(
+    return TexelOrigins(
         vertices=atlas.triangles[atlas.triangle[rows]],
         barycentric=atlas.barycentric[rows],
         view=row_of_view[owner[texel]],

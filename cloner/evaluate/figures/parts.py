@@ -1,4 +1,4 @@
-"""How much of a clone's texture shows another part of the person than the one it lies on."""
+"""Texels that show another part of the person than the one they lie on."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.evaluate.figures.origins import Origins
+from cloner.evaluate.figures.origins import TexelOrigins
 from cloner.evaluate.truths.kit import KitTruth
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
@@ -28,7 +28,7 @@ _SAME: Final = dict.fromkeys(("face_skin", "eyes", "mouth"), "body_skin")
 _LIMBS: Final = (("left_upper_arm", "left_forearm", "left_hand"), ("right_upper_arm", "right_forearm", "right_hand"))
 
 
-def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> float | None:
+def wrong_part_share(origins: TexelOrigins, generic: GenericHuman, kit: KitTruth) -> float | None:
     """Return the share of judged texels that show another part of the person.
 
     Parameters
@@ -54,7 +54,7 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
     pixel = np.rint(origins.pixel_px).astype(int)
     allowed, judged = _true_labels(origins, kit, on_body)
     corners = np.where(on_body[:, None], origins.vertices, 0)
-    allowed = with_skin_below(allowed, np.asarray(generic.region("face")[corners].all(axis=1), bool))
+    allowed = allow_skin_behind(allowed, np.asarray(generic.region("face")[corners].all(axis=1), bool))
     wrong = np.zeros(len(pixel), bool)
     for row, view in enumerate(origins.views):
         truth = kit.truth.views[view.value]
@@ -65,7 +65,7 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
         column, line = np.clip(pixel[own, 0], 0, width - 1), np.clip(pixel[own, 1], 0, height - 1)
         # beyond the outline the painter takes the nearest colour inside: leaks of the room have their own figure
         labels = kit.labels[view.value]
-        shown = _merged()[spread_nearest(labels[..., None], labels > 0)[line, column, 0]]
+        shown = _part_of_label()[spread_nearest(labels[..., None], labels > 0)[line, column, 0]]
         strange = (allowed[own] >> shown) & 1 == 0
         limbs = _limb_pictures(generic, kit.bodies_m[view.value], truth.camera)
         strange |= _wrong_limb(limbs, origins, own, generic)
@@ -73,12 +73,12 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
     return float(wrong[judged].mean()) if judged.any() else None
 
 
-def _merged() -> NDArray[np.int64]:
-    """Return for every label the one that stands for its part."""
+def _part_of_label() -> NDArray[np.int64]:
+    """Return for every label the one that represents its part."""
     return np.array([LABELS.index(_SAME.get(name, name)) for name in LABELS])
 
 
-def _true_labels(origins: Origins, kit: KitTruth, on_body: Flags) -> tuple[NDArray[np.int64], Flags]:
+def _true_labels(origins: TexelOrigins, kit: KitTruth, on_body: Flags) -> tuple[NDArray[np.int64], Flags]:
     """Return (N,) the labels near each texel's true place as bits, and whether any photo shows that place."""
     bits, seen = np.zeros(len(on_body), np.int64), np.zeros(len(on_body), bool)
     triangles = body_triangles()
@@ -93,22 +93,24 @@ def _true_labels(origins: Origins, kit: KitTruth, on_body: Flags) -> tuple[NDArr
         height, width = labels.shape
         inside = (place >= 0).all(axis=1) & (place < (width, height)).all(axis=1)
         found, place = found[inside], place[inside]
-        bits[found] |= _labels_near(labels, camera, body_m)[place[:, 1], place[:, 0]]
+        bits[found] |= _dilated_label_bits(labels, camera, body_m)[place[:, 1], place[:, 0]]
         seen[found] = True
     return bits, seen
 
 
-def with_skin_below(allowed: NDArray[np.int64], face: Flags) -> NDArray[np.int64]:
-    """Return the labels near each texel as bits, with skin where a face (N,) is seen behind hair or things alone."""
+def allow_skin_behind(allowed: NDArray[np.int64], face: Flags) -> NDArray[np.int64]:
+    """Return the label bits near each texel, with skin added where a face (N,) is seen behind hair or accessories
+    alone.
+    """
     hanging = (1 << LABELS.index("hair")) | (1 << LABELS.index("accessory"))
     hidden = face & (allowed > 0) & (allowed & ~hanging == 0)
     return np.where(hidden, allowed | (1 << LABELS.index("body_skin")), allowed)
 
 
-def _labels_near(labels: NDArray[np.uint8], camera: Camera, body_m: Array) -> NDArray[np.int64]:
-    """Return (H, W) the labels within `NEAR_M` of every pixel, as bits; the room is never a part."""
+def _dilated_label_bits(labels: NDArray[np.uint8], camera: Camera, body_m: Array) -> NDArray[np.int64]:
+    """Return as bits (H, W) the labels within `NEAR_M` of every pixel; the background is never a part."""
     reach = NEAR_M / camera.metres_per_pixel(body_m.mean(axis=0))
-    merged, bits = _merged()[labels], np.zeros(labels.shape, np.int64)
+    merged, bits = _part_of_label()[labels], np.zeros(labels.shape, np.int64)
     for label in np.unique(merged):
         if label > 0:
             away = cv2.distanceTransform((merged != label).astype(np.uint8), cv2.DIST_L2, 5)
@@ -125,7 +127,7 @@ def _limb_pictures(generic: GenericHuman, body_m: Array, camera: Camera) -> tupl
 
 
 def _wrong_limb(
-    limbs: tuple[list[NDArray[np.float32]], float], origins: Origins, own: NDArray[np.intp], generic: GenericHuman
+    limbs: tuple[list[NDArray[np.float32]], float], origins: TexelOrigins, own: NDArray[np.intp], generic: GenericHuman
 ) -> Flags:
     """Return which of the texels took an arm's pixel and lie elsewhere, or lie on an arm and took another's."""
     pictures, near_px = limbs

@@ -9,9 +9,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.evaluate.measures.posing import Posed
-from cloner.evaluate.measures.rulers import apply
-from cloner.evaluate.measures.surfaces import TriangleSurface, seen_from_outside
+from cloner.evaluate.measures.posing import PosedClone
+from cloner.evaluate.measures.rulers import transform_points
+from cloner.evaluate.measures.surfaces import TriangleSurface, visible_from_outside
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
@@ -33,7 +33,7 @@ _SAMPLES: Final = 8_000  # moves the share by half a percent between seeds
 def region_agreement(
     clone: Clone,
     generic: GenericHuman,
-    posed: Posed,
+    posed: PosedClone,
     rotations: Array,
     truth_from_clone: Array,
     truth: TruthSurface,
@@ -63,17 +63,17 @@ def region_agreement(
     """
     if not (len(clone.triangle_regions) and len(truth.label)):
         return None
-    seen = seen_from_outside(truth.points_m, truth.normals, truth.points_m)
+    seen = visible_from_outside(truth.points_m, truth.normals, truth.points_m)
     asked = np.flatnonzero(seen & (truth.label != ""))
     asked = rng.choice(asked, size=min(_SAMPLES, len(asked)), replace=False)
-    vertices, triangles, labels = _labelled(clone, generic, posed, rotations, truth_from_clone)
+    vertices, triangles, labels = _aligned_labelled_mesh(clone, generic, posed, rotations, truth_from_clone)
     _, _, nearest = TriangleSurface(vertices, triangles).closest(truth.points_m[asked])
     found, wanted = np.array(REGIONS)[labels[nearest]], truth.label[asked]
     return float(np.mean([name in RIGHT[label] for name, label in zip(found, wanted, strict=True)]))
 
 
-def _labelled(
-    clone: Clone, generic: GenericHuman, posed: Posed, rotations: Array, truth_from_clone: Array
+def _aligned_labelled_mesh(
+    clone: Clone, generic: GenericHuman, posed: PosedClone, rotations: Array, truth_from_clone: Array
 ) -> tuple[Array, NDArray[np.int32], NDArray[np.uint8]]:
     """Return vertices, triangles and labels of skin and shells, laid on the truth, as one mesh."""
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
@@ -85,7 +85,7 @@ def _labelled(
     for shell in clone.shells:
         start = sum(map(len, vertices))
         loose = linear_blend_skinning(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
-        vertices.append(apply(truth_from_clone, loose))
+        vertices.append(transform_points(truth_from_clone, loose))
         triangles.append(shell.triangles + np.int32(start))
         labels.append(np.full(len(shell.triangles), REGIONS.index(SHELL_REGIONS[shell.kind]), dtype=np.uint8))
     return np.vstack(vertices), np.vstack(triangles), np.concatenate(labels)

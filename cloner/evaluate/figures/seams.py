@@ -1,4 +1,4 @@
-"""Seams of a clone's texture: jumps of colour across borders that the photos do not show."""
+"""Seams of a clone's texture: colour jumps across borders that the photos do not show."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ def seam_ratios(clone: Clone, generic: GenericHuman, photos: Photos = _NO_PHOTOS
     edges = _edges(clone, generic)
     if not photos:
         jumps = colour_jumps(_vertex_colours(clone, generic), edges)
-        return {where: seam_ratio(jumps, *border) for where, border in _borders(clone, generic, edges).items()}
+        return {where: seam_ratio(jumps, *border) for where, border in _border_edges(clone, generic, edges).items()}
     shown = _photo_jumps(clone, generic, photos, edges)
     edges, shown = edges[~np.isnan(shown)], shown[~np.isnan(shown)]
     jumps = colour_jumps(_vertex_colours(clone, generic), edges)
     found: dict[str, float | None] = {}
-    for where, border in _borders(clone, generic, edges).items():
+    for where, border in _border_edges(clone, generic, edges).items():
         own, true = seam_ratio(jumps, *border), seam_ratio(shown, *border)
         found[where] = None if own is None or true is None else own / max(true, 1e-6)
     return found
@@ -82,7 +82,7 @@ def _edges(clone: Clone, generic: GenericHuman) -> Edges:
     return np.asarray(edges[(region[edges[:, 0]] == region[edges[:, 1]]) & (region[edges[:, 0]] >= 0)])
 
 
-def _borders(clone: Clone, generic: GenericHuman, edges: Edges) -> Mapping[str, tuple[Mask, Mask]]:
+def _border_edges(clone: Clone, generic: GenericHuman, edges: Edges) -> Mapping[str, tuple[Mask, Mask]]:
     """Return by border which edges cross it and which lie beside it."""
     normals = surface_normals(clone.vertices_m)
     head = generic.head_blend > 0.5 if len(generic.head_blend) else np.zeros(len(normals), dtype=bool)
@@ -92,9 +92,9 @@ def _borders(clone: Clone, generic: GenericHuman, edges: Edges) -> Mapping[str, 
     on_face: Mask = np.asarray(face[edges].all(axis=1))
     clear: Mask = np.asarray((np.abs(ahead[edges]) > _CLEARLY).all(axis=1))
     return {
-        "front_back": (trunk & _differ(ahead > 0.0, edges), trunk & clear),
-        "head_body": (_differ(head, edges), _neck(generic)[edges].all(axis=1) & ~_differ(head, edges)),
-        "face_front_side": (on_face & _differ(aside, edges), on_face & ~_differ(aside, edges)),
+        "front_back": (trunk & _ends_differ(ahead > 0.0, edges), trunk & clear),
+        "head_body": (_ends_differ(head, edges), _neck(generic)[edges].all(axis=1) & ~_ends_differ(head, edges)),
+        "face_front_side": (on_face & _ends_differ(aside, edges), on_face & ~_ends_differ(aside, edges)),
     }
 
 
@@ -114,10 +114,10 @@ def _photo_jumps(clone: Clone, generic: GenericHuman, photos: Photos, edges: Edg
         both = cosine[edges].min(axis=1)
         jump = colour_jumps(sample(photo, sight.pixel_px), edges)
         found, best = np.where(both > best, jump, found), np.maximum(both, best)
-    return np.where(np.isnan(found), found[_twins(generic, edges)], found)
+    return np.where(np.isnan(found), found[_mirrored_edges(generic, edges)], found)
 
 
-def _twins(generic: GenericHuman, edges: Edges) -> NDArray[np.intp]:
+def _mirrored_edges(generic: GenericHuman, edges: Edges) -> NDArray[np.intp]:
     """Return (E,) the number of every edge's mirror image, its own where there is none among them."""
     size = len(generic.vertex_part)
     key = edges[:, 0] * size + edges[:, 1]
@@ -137,7 +137,7 @@ def _vertex_region(clone: Clone, triangles: NDArray[np.integer]) -> NDArray[np.i
     return np.where(least == most, most, -1)
 
 
-def _differ(label: Mask, edges: Edges) -> Mask:
+def _ends_differ(label: Mask, edges: Edges) -> Mask:
     return np.asarray(label[edges[:, 0]] != label[edges[:, 1]])
 
 

@@ -10,9 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.evaluate.measures.posing import Posed, landmarks, truth_from_points
-from cloner.evaluate.measures.rulers import Spread, Surface, align_by_nearest, apply, inverse, spread
-from cloner.evaluate.measures.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
+from cloner.evaluate.measures.posing import PosedClone, landmarks, truth_from_points
+from cloner.evaluate.measures.rulers import (
+    DistanceSummary,
+    Surface,
+    align_by_nearest,
+    inverse_transform,
+    summarise,
+    transform_points,
+)
+from cloner.evaluate.measures.surfaces import PointSurface, TriangleSurface, sample_surface, visible_from_outside
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.frames import MILLIMETRES_PER_METRE
 from cloner.generic.load import GenericHuman
@@ -35,8 +42,8 @@ _HAIR_NEAR_M: Final = 0.025  # taste: skin this near hair was never seen by a ca
 class FaceErrors:
     """Face surface error with scale free and fixed, mm."""
 
-    similarity: Spread
-    rigid: Spread
+    similarity: DistanceSummary
+    rigid: DistanceSummary
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,21 +64,23 @@ class BodyDistances:
         A vertex of the triangle each of those lies on.
     """
 
-    aligned: Posed
+    aligned: PosedClone
     to_clone_m: Array
     clone_vertex: NDArray[np.int64]
     to_truth_m: Array
     own_vertex: NDArray[np.int64]
 
 
-def body_surface_mm(posed: Posed, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator) -> Spread:
+def body_surface_mm(
+    posed: PosedClone, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
+) -> DistanceSummary:
     """Return the symmetric nearest-surface distance of a clone posed as the truth, mm; see :func:`body_distances`."""
     found = body_distances(posed, generic, truth, rng=rng)
-    return _both_ways(found.to_clone_m, found.to_truth_m)
+    return _symmetric_spread_mm(found.to_clone_m, found.to_truth_m)
 
 
 def body_distances(
-    posed: Posed, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
+    posed: PosedClone, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
 ) -> BodyDistances:
     """Return the nearest-surface distances of a clone posed as the truth, both ways.
 
@@ -92,7 +101,7 @@ def body_distances(
     hair = truth.kind == "hair"
     firm = ~hair & (truth.kind != "organ")
     seen = np.zeros(len(firm), dtype=bool)
-    seen[firm] = seen_from_outside(truth.points_m[firm], truth.normals[firm], truth.points_m[~hair])
+    seen[firm] = visible_from_outside(truth.points_m[firm], truth.normals[firm], truth.points_m[~hair])
     asked = (
         seen & ~_in_hands(truth.points_m, truth.joints_m) & ~_near(truth.points_m, truth.points_m[hair], _HAIR_NEAR_M)
     )
@@ -104,7 +113,7 @@ def body_distances(
     discs = PointSurface(*sample_surface(posed.vertices_m, skin, _DISCS, rng=rng)[:2], radius=_DISC_M)
     truth_from_clone = align_by_nearest(points[:_VOTERS], discs, scale=False, keep=1.0, turns=15)
     moved = posed.moved(truth_from_clone)
-    _, to_clone, nearest = surface.closest(apply(inverse(truth_from_clone), points))
+    _, to_clone, nearest = surface.closest(transform_points(inverse_transform(truth_from_clone), points))
     hidden = generic.region("scalp") | generic.region("hand_left") | generic.region("hand_right")
     shown = skin[~hidden[skin].any(axis=1)]
     samples, _, which = sample_surface(moved.vertices_m, shown, _SAMPLES, rng=rng)
@@ -115,7 +124,7 @@ def body_distances(
 
 
 def face_surface_mm(
-    posed: Posed, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
+    posed: PosedClone, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
 ) -> FaceErrors:
     """Return the face surface errors (rulers), mm.
 
@@ -128,7 +137,7 @@ def face_surface_mm(
     firm = bare | (truth.kind == "organ")
     marks = truth.marks_m
     asked = bare & in_face(truth.points_m, marks)
-    seen = seen_from_outside(truth.points_m[asked], truth.normals[asked], truth.points_m[firm])
+    seen = visible_from_outside(truth.points_m[asked], truth.normals[asked], truth.points_m[firm])
     points, normals = truth.points_m[asked][seen], truth.normals[asked][seen]
     target: Surface = PointSurface(points, normals, radius=_DISC_M)
     if len(truth.bare_m):
@@ -139,18 +148,18 @@ def face_surface_mm(
     surface = TriangleSurface(placed.vertices_m, head)
     samples, directions, _ = sample_surface(placed.vertices_m, head, _SAMPLES, rng=rng)
     near = _within(samples, marks["nose_tip"], 1.2 * _FACE_RADIUS_M)
-    near[near] = seen_from_outside(
+    near[near] = visible_from_outside(
         samples[near], directions[near], np.vstack([samples, _dense_organs(placed, generic)])
     )
     samples = samples[near]
     errors = {}
     for scale in (True, False):
         transform = align_by_nearest(points, surface, scale=scale)
-        _, to_clone, _ = surface.closest(apply(inverse(transform), points))
+        _, to_clone, _ = surface.closest(transform_points(inverse_transform(transform), points))
         to_clone = to_clone * np.cbrt(np.linalg.det(transform[:3, :3]))
-        moved = apply(transform, samples)
+        moved = transform_points(transform, samples)
         _, to_truth, _ = target.closest(moved[in_face(moved, marks)])
-        errors[scale] = _both_ways(to_clone, to_truth)
+        errors[scale] = _symmetric_spread_mm(to_clone, to_truth)
     return FaceErrors(errors[True], errors[False])
 
 
@@ -162,15 +171,15 @@ def skin_triangles(generic: GenericHuman) -> NDArray[np.int32]:
     return np.asarray(triangles[kept[triangles].all(axis=1)], dtype=np.int32)
 
 
-def _dense_organs(posed: Posed, generic: GenericHuman) -> Array:
+def _dense_organs(posed: PosedClone, generic: GenericHuman) -> Array:
     """Return the vertices of eyes and teeth, which hide the sockets behind them."""
     return np.asarray(posed.vertices_m[~generic.skin])
 
 
-def _both_ways(first: Array, second: Array) -> Spread:
+def _symmetric_spread_mm(first: Array, second: Array) -> DistanceSummary:
     """Return the spread of two directions in mm, each with the same say."""
-    one, two = spread(first * MILLIMETRES_PER_METRE), spread(second * MILLIMETRES_PER_METRE)
-    return Spread((one.mean + two.mean) / 2, (one.median + two.median) / 2, (one.p95 + two.p95) / 2)
+    one, two = summarise(first * MILLIMETRES_PER_METRE), summarise(second * MILLIMETRES_PER_METRE)
+    return DistanceSummary((one.mean + two.mean) / 2, (one.median + two.median) / 2, (one.p95 + two.p95) / 2)
 
 
 def _within(points: Array, centre: Array, radius_m: float) -> Mask:

@@ -1,4 +1,4 @@
-"""Where a mesh goes through itself or through another one, how deep, and which triangles an onlooker sees.
+"""Intersections of a mesh with itself or with another one: depth, and visible triangles.
 
 References
 ----------
@@ -35,8 +35,8 @@ _AROUND: Final = 400
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Crossings:
-    """Pairs of triangles that cut each other.
+class Intersections:
+    """Pairs of intersecting triangles.
 
     Attributes
     ----------
@@ -53,8 +53,8 @@ class Crossings:
         freeze(self, pairs=(np.int64, (None, 2)), places_m=(np.float64, (len(self.pairs), 3)))
 
 
-def self_crossings(points_m: Array, triangles: Index) -> Crossings:
-    """Return the pairs of a mesh's triangles that cut each other; neighbours, which share a vertex, do not count.
+def self_intersections(points_m: Array, triangles: Index) -> Intersections:
+    """Return the pairs of a mesh's triangles that intersect, without neighbours that share a vertex.
 
     Parameters
     ----------
@@ -63,21 +63,21 @@ def self_crossings(points_m: Array, triangles: Index) -> Crossings:
         Indices of vertices; seams are welded before.
     """
     corners = points_m[triangles]
-    pairs = _near(corners)
+    pairs = _pairs_with_touching_boxes(corners)
     first, second = triangles[pairs[:, 0]], triangles[pairs[:, 1]]
     apart = (first[:, :, None] != second[:, None, :]).all(axis=(1, 2))
-    return _cutting(corners, pairs[apart])
+    return _intersecting_pairs(corners, pairs[apart])
 
 
-def crossings_between(first_m: Array, second_m: Array) -> Crossings:
-    """Return the pairs of triangles of two sets of corners (T, 3, 3) and (U, 3, 3), metres, that cut each other."""
+def intersections_between(first_m: Array, second_m: Array) -> Intersections:
+    """Return the intersecting pairs of two sets of triangle corners (T, 3, 3) and (U, 3, 3), metres."""
     corners = np.concatenate([first_m, second_m])
-    pairs = np.sort(_near(corners), axis=1)
-    found = _cutting(corners, pairs[(pairs[:, 0] < len(first_m)) & (pairs[:, 1] >= len(first_m))])
-    return Crossings(found.pairs - np.array([0, len(first_m)], dtype=np.int64), found.places_m)
+    pairs = np.sort(_pairs_with_touching_boxes(corners), axis=1)
+    found = _intersecting_pairs(corners, pairs[(pairs[:, 0] < len(first_m)) & (pairs[:, 1] >= len(first_m))])
+    return Intersections(found.pairs - np.array([0, len(first_m)], dtype=np.int64), found.places_m)
 
 
-def _near(corners: Array) -> NDArray[np.int64]:
+def _pairs_with_touching_boxes(corners: Array) -> NDArray[np.int64]:
     """Return (P, 2) pairs of triangles (T, 3, 3) whose boxes touch, each once."""
     low, high = corners.min(axis=1), corners.max(axis=1)
     centre, reach = (low + high) / 2.0, np.linalg.norm(high - low, axis=1) / 2.0
@@ -110,7 +110,7 @@ def _sides(planes: Array, corners: Array) -> Array:
     return np.stack([_volumes(a, b, c, corners[:, k]) for k in range(3)], axis=1)
 
 
-def _cutting(corners: Array, pairs: NDArray[np.int64]) -> Crossings:
+def _intersecting_pairs(corners: Array, pairs: NDArray[np.int64]) -> Intersections:
     """Return those of some pairs of triangles that really cut each other."""
     sides = [_sides(corners[pairs[:, one]], corners[pairs[:, 1 - one]]) for one in (0, 1)]
     cut = np.all([(side.min(axis=1) < 0.0) & (side.max(axis=1) > 0.0) for side in sides], axis=0)
@@ -127,11 +127,11 @@ def _cutting(corners: Array, pairs: NDArray[np.int64]) -> Crossings:
             total += np.where(pierced[:, None], p + share[:, None] * (q - p), 0.0)
             count += pierced
     real = count > 0
-    return Crossings(pairs[real], total[real] / count[real, None])
+    return Intersections(pairs[real], total[real] / count[real, None])
 
 
-def windings(places_m: Array, corners_m: Array) -> NDArray[np.int64]:
-    """Return (N,) how often a closed mesh of triangles' corners (T, 3, 3) winds around places (N, 3): 1 inside.
+def winding_numbers(places_m: Array, corners_m: Array) -> NDArray[np.int64]:
+    """Return the winding number (N,) of a closed mesh's triangles (T, 3, 3) around points (N, 3): 1 inside.
 
     Counts the triangles that a ray leaves through, less those it enters through. The ray's direction is none that
     sides of a mesh keep to.
@@ -152,14 +152,14 @@ def windings(places_m: Array, corners_m: Array) -> NDArray[np.int64]:
     return np.asarray(np.bincount(place[hit], ways, minlength=len(places_m)), dtype=np.int64)
 
 
-def buried_depths(points_m: Array, triangles: Index, crossings: Crossings) -> Array:
+def buried_depths(points_m: Array, triangles: Index, crossings: Intersections) -> Array:
     """Return (V,) how deep vertices lie inside another part of their own closed mesh, metres, zero where they do not.
 
     The parts are found from the crossings inwards. Depth is the way out: to the nearest skin that faces the vertex from
     behind, or to the nearest vertex that is not buried.
     """
     normals = vertex_normals(points_m, np.asarray(triangles, dtype=np.int32))
-    buried = _flooded(points_m, triangles, normals, np.unique(triangles[crossings.pairs.ravel()]))
+    buried = _flood_fill(points_m, triangles, normals, np.unique(triangles[crossings.pairs.ravel()]))
     depths = np.zeros(len(points_m))
     if buried.size:
         away, rows = cKDTree(points_m).query(points_m[buried], k=min(_AROUND, len(points_m)))
@@ -172,13 +172,13 @@ def buried_depths(points_m: Array, triangles: Index, crossings: Crossings) -> Ar
     return depths
 
 
-def _flooded(points_m: Array, triangles: Index, normals: Array, start: Index) -> NDArray[np.int64]:
-    """Return the vertices before whose skin the mesh's inside is, from some vertices on over neighbours."""
+def _flood_fill(points_m: Array, triangles: Index, normals: Array, start: Index) -> NDArray[np.int64]:
+    """Return the vertices reached over neighbours from some vertices while the mesh's inside lies before their skin."""
     corners, known = points_m[triangles], np.zeros(len(points_m), dtype=np.bool_)
     ahead, buried = np.asarray(start, dtype=np.int64), np.zeros(0, dtype=np.int64)
     while ahead.size:
         known[ahead] = True
-        inside = windings(points_m[ahead] + _BEFORE_M * normals[ahead], corners) > 0
+        inside = winding_numbers(points_m[ahead] + _BEFORE_M * normals[ahead], corners) > 0
         buried = np.concatenate([buried, ahead[inside]])
         beside = np.isin(triangles, ahead[inside]).any(axis=1)
         around = np.unique(triangles[beside])
@@ -186,8 +186,10 @@ def _flooded(points_m: Array, triangles: Index, normals: Array, start: Index) ->
     return buried
 
 
-def seen_triangles(points_m: Array, triangles: Index, camera: Camera) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
-    """Return what a camera sees: (H, W) rows of the nearest triangles, -1 where none is, and their depth, metres."""
+def visible_triangles(
+    points_m: Array, triangles: Index, camera: Camera
+) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
+    """Return the index (H, W) of the nearest triangle at each pixel, -1 where none is, and its depth, metres."""
     picture, depth = camera.project(points_m), camera.to_camera(points_m)[:, 2]
     width, height = camera.width_px, camera.height_px
     empty = np.iinfo(np.int64).max

@@ -1,4 +1,4 @@
-"""How well a face moves: lids on eyeballs, lips, teeth, ears and skull, target by target, millimetres."""
+"""Quality of facial motion: lids on eyeballs, lips, teeth, ears and skull, per target, millimetres."""
 
 from __future__ import annotations
 
@@ -67,12 +67,12 @@ def face_figures(rest_m: Array, shape_m: Array) -> FaceFigures:
     ears = generic.region("ear_left") | generic.region("ear_right")
     grid = mouth_grid()
     values = (
-        *(lid_gap(eye_grid(side), shape_m) for side in SIDES),
-        max(eye_through(side, rest_m, shape_m) for side in SIDES),
+        *(lid_gap_m(eye_grid(side), shape_m) for side in SIDES),
+        max(eyeball_protrusion_m(side, rest_m, shape_m) for side in SIDES),
         float(lip_gaps_m(grid, shape_m[grid.rings]).max()),
-        teeth_through(shape_m),
-        tongue_through(shape_m),
-        teeth_shown(shape_m),
+        teeth_protrusion_m(shape_m),
+        tongue_protrusion_m(shape_m),
+        visible_teeth_m(shape_m),
         float(moved[ears].max()),
         float(moved[generic.region("scalp")].max()),
     )
@@ -84,7 +84,7 @@ def target_figures(clone: Clone) -> dict[str, FaceFigures]:
     out = {}
     for name, offsets in target_offsets(clone):
         step = offsets[:-1].astype(np.float64)
-        out[name] = worst_on_the_way(clone.vertices_m, step)
+        out[name] = worst_along_path(clone.vertices_m, step)
     return out
 
 
@@ -97,8 +97,8 @@ def mixture_figures(clone: Clone, weights: Mapping[str, float]) -> FaceFigures:
     return face_figures(clone.vertices_m, shape)
 
 
-def worst_on_the_way(rest_m: Array, step_m: Array) -> FaceFigures:
-    """Return the figures at the end of a straight way, but the worst on it of what goes through."""
+def worst_along_path(rest_m: Array, step_m: Array) -> FaceFigures:
+    """Return the figures at the end of a straight path, with the worst intersections along it."""
     every = [face_figures(rest_m, rest_m + weight * step_m) for weight in WEIGHTS]
     through = {
         name: max(getattr(one, name) for one in every) for name in ("eye_through", "teeth_through", "tongue_through")
@@ -106,7 +106,7 @@ def worst_on_the_way(rest_m: Array, step_m: Array) -> FaceFigures:
     return replace(every[-1], **through)
 
 
-def lid_gap(grid: Grid, shape_m: Array) -> float:
+def lid_gap_m(grid: Grid, shape_m: Array) -> float:
     """Return the widest distance between the two lids' margins, metres."""
     margin = shape_m[grid.ring(0)]
     lines = []
@@ -134,8 +134,8 @@ def _to_line(points: Array, line: Array) -> Array:
     return np.asarray(np.linalg.norm(points[:, None] - nearest, axis=2).min(axis=1))
 
 
-def eye_through(side: str, rest_m: Array, shape_m: Array) -> float:
-    """Return how far an eyeball stands out of its lids' skin, metres, negative where skin covers it everywhere."""
+def eyeball_protrusion_m(side: str, rest_m: Array, shape_m: Array) -> float:
+    """Return how far an eyeball protrudes from its lids' skin, negative where skin covers it everywhere."""
     grid, ball = eye_grid(side), eyeball(rest_m, side)
     poles = shape_m[load_generic().part(f"eye_{side}")[[0, -1]]]
     gaze = (poles[0] - poles[1]) / np.linalg.norm(poles[0] - poles[1])
@@ -159,8 +159,8 @@ def _front_skin() -> NDArray[np.int32]:
     return np.asarray(triangles[near[triangles].all(axis=1)])
 
 
-def teeth_through(shape_m: Array) -> float:
-    """Return how far teeth stand out of the skin around the mouth, seen from the front, metres; 0 where none do."""
+def teeth_protrusion_m(shape_m: Array) -> float:
+    """Return how far teeth protrude from the skin around the mouth, seen from the front; 0 where none do."""
     generic = load_generic()
     teeth = shape_m[np.concatenate([generic.part("teeth_upper"), generic.part("teeth_lower")])]
     corners = shape_m[_front_skin()]
@@ -182,8 +182,8 @@ def _lip_skin(upper: bool) -> NDArray[np.int32]:
     return np.asarray(triangles[own[triangles].all(axis=1)])
 
 
-def tongue_through(shape_m: Array) -> float:
-    """Return how deep the tongue pokes out of a lip's skin, metres: the depth from which an edge of it comes out.
+def tongue_protrusion_m(shape_m: Array) -> float:
+    """Return how far the tongue protrudes through a lip's skin.
 
     What lies hidden in a lip's flesh counts only where the tongue leaves it through the outer skin.
     """
@@ -228,8 +228,8 @@ def _where_meets(corners: Array, points: Array, axes: tuple[int, int, int]) -> A
     return np.asarray(np.where(covers, a[:, k] + u * one[:, k] + v * two[:, k], np.nan))
 
 
-def teeth_shown(shape_m: Array) -> float:
-    """Return the height of the upper teeth that shows between the lips in the middle, metres."""
+def visible_teeth_m(shape_m: Array) -> float:
+    """Return the height of the upper teeth that is visible between the lips in the middle."""
     generic, grid = load_generic(), mouth_grid()
     teeth = shape_m[generic.part("teeth_upper")]
     touching = shape_m[grid.rings[grid.margin - 1 : grid.margin + 2]]

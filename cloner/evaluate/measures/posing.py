@@ -1,4 +1,4 @@
-"""Bring a clone into the truth's pose and frame: rotations and a rigid motion, never a scale."""
+"""A clone brought into the truth's pose and frame: rotations and a rigid motion, never a scale."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 
-from cloner.evaluate.measures.rulers import apply, fit_similarity
+from cloner.evaluate.measures.rulers import fit_similarity, transform_points
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.poses import SIGMAS, pose_matrix
 from cloner.geometry.articulation.skinning import (
@@ -57,23 +57,23 @@ _PRIOR_WEIGHT: Final = 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Posed:
+class PosedClone:
     """A clone after skinning and a rigid motion; any frame, metres."""
 
     vertices_m: Array
     joints_m: Array
     features_m: Mapping[str, Array]
 
-    def moved(self, transform: Array) -> Posed:
+    def moved(self, transform: Array) -> PosedClone:
         """Return the same body moved by a (4, 4) rigid transform."""
-        return Posed(
-            apply(transform, self.vertices_m),
-            apply(transform, self.joints_m),
-            {name: apply(transform, point[None])[0] for name, point in self.features_m.items()},
+        return PosedClone(
+            transform_points(transform, self.vertices_m),
+            transform_points(transform, self.joints_m),
+            {name: transform_points(transform, point[None])[0] for name, point in self.features_m.items()},
         )
 
 
-def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> Posed:
+def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> PosedClone:
     """Return the clone's skin, joints and feature points under joint rotations.
 
     Parameters
@@ -88,19 +88,19 @@ def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> Posed:
     joints = posed_joints(transforms, clone.joints_m)
     names = list(clone.features_m)
     if not names:
-        return Posed(vertices, joints, {})
+        return PosedClone(vertices, joints, {})
     rest = np.array([clone.features_m[name] for name in names])
     _, near = cKDTree(clone.vertices_m).query(rest)
     blended = blend_transforms(transforms, skin_joints[near], skin_weights[near])
     features = np.einsum("nab,nb->na", blended[:, :, :3], rest) + blended[:, :, 3]
-    return Posed(vertices, joints, dict(zip(names, features, strict=True)))
+    return PosedClone(vertices, joints, dict(zip(names, features, strict=True)))
 
 
 def _parents(generic: GenericHuman) -> NDArray[np.int32]:
     return generic.joint_parents.astype(np.int32)
 
 
-def joints_by_truth_name(posed: Posed, generic: GenericHuman) -> dict[str, Array]:
+def joints_by_truth_name(posed: PosedClone, generic: GenericHuman) -> dict[str, Array]:
     """Return the main joints of a posed clone under the truth's names."""
     return {name: posed.joints_m[generic.joint(ours)] for name, ours in JOINTS.items()}
 
@@ -121,21 +121,21 @@ def truth_from_points(found: Mapping[str, Array], truth: Mapping[str, Array]) ->
 
 
 def truth_from_body(
-    posed: Posed, generic: GenericHuman, joints: Mapping[str, Array], marks: Mapping[str, Array]
+    posed: PosedClone, generic: GenericHuman, joints: Mapping[str, Array], marks: Mapping[str, Array]
 ) -> Array:
     """Return the rigid (4, 4) motion that lays a posed body on the truth's joints and trunk marks."""
     found = {**joints_by_truth_name(posed, generic), **_only(BODY_MARKS, posed.features_m)}
     return truth_from_points(found, {**joints, **_only(BODY_MARKS, marks)})
 
 
-def posed_as(
+def pose_like_truth(
     clone: Clone, generic: GenericHuman, joints_m: Mapping[str, Array], marks_m: Mapping[str, Array], start: Array
-) -> tuple[Posed, Array, Array]:
-    """Return a clone in a truth's pose, laid on its joints without a scale; that pose, and the (4, 4) rigid motion.
+) -> tuple[PosedClone, Array, Array]:
+    """Return a clone in a truth's pose, aligned by its joints without scaling; that pose, and the (4, 4) rigid motion.
 
     ``start`` (94, 3) is the pose from which the truth's is sought.
     """
-    rotations = rotations_towards(clone, generic, joints_m, marks_m, start)
+    rotations = fit_rotations(clone, generic, joints_m, marks_m, start)
     posed = pose_clone(clone, generic, rotations)
     truth_from_clone = truth_from_body(posed, generic, joints_m, marks_m)
     return posed.moved(truth_from_clone), rotations, truth_from_clone
@@ -150,14 +150,14 @@ def landmarks(points: Mapping[str, Array]) -> dict[str, Array]:
     return _only(LANDMARKS, points)
 
 
-def rotations_towards(
+def fit_rotations(
     clone: Clone,
     generic: GenericHuman,
     truth_joints: Mapping[str, Array],
     truth_marks: Mapping[str, Array],
     start: Array,
 ) -> Array:
-    """Return the (94, 3) rotations whose joints, moved rigidly, lie nearest the truth's.
+    """Return the rotations (94, 3) whose joints, moved rigidly, are closest to the truth's.
 
     Parameters
     ----------

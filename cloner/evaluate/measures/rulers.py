@@ -1,4 +1,4 @@
-"""The measures of the scoreboard, each a pure function of arrays."""
+"""The metrics of the scoreboard, each a pure function of arrays."""
 
 from __future__ import annotations
 
@@ -31,21 +31,21 @@ class Surface(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Spread:
-    """Summary of many distances, in the unit they came in."""
+class DistanceSummary:
+    """Summary of distances, in their unit."""
 
     mean: float
     median: float
     p95: float
 
 
-def spread(distances: Array) -> Spread:
+def summarise(distances: Array) -> DistanceSummary:
     """Return mean, median and 95th percentile."""
-    return Spread(float(np.mean(distances)), float(np.median(distances)), float(np.percentile(distances, 95)))
+    return DistanceSummary(float(np.mean(distances)), float(np.median(distances)), float(np.percentile(distances, 95)))
 
 
-def overlap(first: Mask, second: Mask) -> float:
-    """Return intersection over union of two masks of one size; 1.0 when both are empty."""
+def mask_iou(first: Mask, second: Mask) -> float:
+    """Return the intersection over union of two masks of one size; 1.0 when both are empty."""
     if first.shape != second.shape:
         raise ValueError(f"masks differ in size: {first.shape} and {second.shape}")
     union = int(np.count_nonzero(first | second))
@@ -97,19 +97,19 @@ def fit_similarity(source: Array, target: Array, *, scale: bool) -> Array:
     return transform
 
 
-def apply(transform: Array, points: Array) -> Array:
+def transform_points(transform: Array, points: Array) -> Array:
     """Return (N, 3) points moved by a (4, 4) transform."""
     return np.asarray(points @ transform[:3, :3].T + transform[:3, 3])
 
 
-def inverse(transform: Array) -> Array:
+def inverse_transform(transform: Array) -> Array:
     """Return the (4, 4) transform back."""
     return np.asarray(np.linalg.inv(transform), dtype=np.float64)
 
 
 def landmark_distances(found: Array, truth: Array) -> Array:
     """Return (N,) distances of named points after rigid alignment on all of them."""
-    away = apply(fit_similarity(found, truth, scale=False), found) - truth
+    away = transform_points(fit_similarity(found, truth, scale=False), found) - truth
     return np.asarray(np.linalg.norm(away, axis=1))
 
 
@@ -131,7 +131,7 @@ def align_by_nearest(points: Array, surface: Surface, *, scale: bool, keep: floa
     """
     total, last = np.eye(4), np.inf
     for _ in range(turns):
-        nearest, distance, _ = surface.closest(apply(inverse(total), points))
+        nearest, distance, _ = surface.closest(transform_points(inverse_transform(total), points))
         best = distance <= np.quantile(distance, keep)
         total = fit_similarity(nearest[best], points[best], scale=scale)
         mean = float(distance[best].mean())

@@ -182,7 +182,7 @@ def sample_surface(
     return a + u * (b - a) + v * (c - a), normals, which
 
 
-def seen_from_outside(points: Array, normals: Array, blockers: Array) -> NDArray[np.bool_]:
+def visible_from_outside(points: Array, normals: Array, blockers: Array) -> NDArray[np.bool_]:
     """Return which points some outside viewer sees; lining, gums and skin under cloth are not.
 
     Parameters

@@ -1,4 +1,4 @@
-"""Read people of the generator of photographed synthetic people: photos to clone, and what is true of them."""
+"""People of the generator: photos to clone, and their truth."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.posing import turning_marks
-from cloner.evaluate.measures.rulers import apply, fit_similarity
+from cloner.evaluate.measures.rulers import fit_similarity, transform_points
 from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthView, read_json, truth_camera, vectors
 from cloner.frames import ViewId, m_from_mm
@@ -45,7 +45,7 @@ _EYE_RADIUS_M: Final = 0.012
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KitTruth:
-    """All that is known of one person of the generator.
+    """Truth of one person of the generator.
 
     Attributes
     ----------
@@ -87,8 +87,8 @@ def kit_people(paths: Sequence[Path]) -> list[Path]:
 
 
 @contextmanager
-def photos_alone(person: Path, shown: Collection[ViewId] = tuple(ViewId)) -> Iterator[Path]:
-    """Give a folder with those photos of a person that are shown, and nothing that is true of them."""
+def photos_without_truth(person: Path, shown: Collection[ViewId] = tuple(ViewId)) -> Iterator[Path]:
+    """Yield a folder with the photos of a person that are shown, and nothing of the truth."""
     with tempfile.TemporaryDirectory(prefix="cloner-kit-") as place:
         folder = Path(place) / person.name
         folder.mkdir()
@@ -182,7 +182,7 @@ def _with_shut_mouth(body_m: Array, bodies: Mapping[str, Array]) -> Array:
     upper, lower = (named_vertex(generic, name) for name in _LIPS)
     shut = min(bodies.values(), key=lambda body: float(np.linalg.norm(body[upper] - body[lower])))
     skull, jaw = generic.region("scalp")[: len(body_m)], generic.carried_by(JAW)[: len(body_m)] > 0.0
-    laid = apply(fit_similarity(shut[skull], body_m[skull], scale=False), shut)
+    laid = transform_points(fit_similarity(shut[skull], body_m[skull], scale=False), shut)
     return np.where(jaw[:, None], laid, body_m)
 
 

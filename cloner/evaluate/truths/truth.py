@@ -1,4 +1,4 @@
-"""Read what is truly known of a visitor; called only after the clone exists."""
+"""Truth of a visitor, read only after the clone exists."""
 
 from __future__ import annotations
 
@@ -99,8 +99,8 @@ class Truth:
     surface: TruthSurface
 
 
-def told_height_m(visitor: Path) -> float:
-    """Return the height that the visitor told at the door, metres; all the clone gets to know."""
+def given_height_m(visitor: Path) -> float:
+    """Return the height that the visitor gave, metres: all that the clone is given besides the photos."""
     return m_from_mm(float(read_json(visitor / "truth.json")["stature_mm"]))
 
 

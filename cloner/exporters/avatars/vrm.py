@@ -15,7 +15,7 @@ from typing import Any, Final
 import pygltflib
 
 from cloner.exporters.avatars.vrm_springs import EXTENSION as SPRINGS
-from cloner.exporters.avatars.vrm_springs import hang_loose
+from cloner.exporters.avatars.vrm_springs import add_spring_bones
 from cloner.exporters.avatars.vrm_terms import vrm_meta
 from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf import build
@@ -81,7 +81,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}
     gltf.extensions[EXTENSION]["meta"]["thumbnailImage"] = _thumbnail(gltf, posed)
-    springs = hang_loose(gltf, posed)
+    springs = add_spring_bones(gltf, posed)
     if springs is not None:
         gltf.extensionsUsed = [*gltf.extensionsUsed, SPRINGS]
         gltf.extensions[SPRINGS] = springs

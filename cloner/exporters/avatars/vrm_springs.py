@@ -1,4 +1,4 @@
-"""What swings in a VRM: bones along tails of hair and down loose cloth, and round bodies that these do not fall into.
+"""Spring bones of a VRM: along tails of hair and loose cloth, with colliders.
 
 Other formats keep tails on head and chest, and cloth on trunk and thighs: nothing would swing them there.
 
@@ -63,8 +63,8 @@ _BESIDE_M: Final = 0.03
 _LEAST_M: Final = 0.02
 
 
-def hang_loose(gltf: Any, clone: Clone) -> dict[str, Any] | None:
-    """Add bones to a clone's tails and loose cloth, in place, and return what the extension says; None without any.
+def add_spring_bones(gltf: Any, clone: Clone) -> dict[str, Any] | None:
+    """Add spring bones to a clone's tails and loose cloth, in place, and return the extension; None without any.
 
     Parameters
     ----------
@@ -81,9 +81,9 @@ def hang_loose(gltf: Any, clone: Clone) -> dict[str, Any] | None:
         swing, every = SWINGS[kind], [*every, *found]
         chains = [_add_bones(gltf, clone, tail, f"{swing.name}{k + 1}", nodes) for k, tail in enumerate(found)]
         for shell in sorted({tail.shell for tail in found}):
-            _weigh(gltf, clone, shell, [(tail, chain) for tail, chain in zip(found, chains, strict=True)
+            _rewrite_weights(gltf, clone, shell, [(tail, chain) for tail, chain in zip(found, chains, strict=True)
                                         if tail.shell == shell])  # fmt: skip
-        bodies = _bodies(clone, swing, found)
+        bodies = _colliders(clone, swing, found)
         first, group = len(told["colliders"]), len(told["colliderGroups"])
         told["colliders"] += [{"node": nodes[swing.bodies[name][0]], "shape": shape} for name, shape in bodies.items()]
         if bodies:
@@ -123,7 +123,7 @@ def _add_bones(gltf: Any, clone: Clone, tail: Tail, name: str, nodes: dict[str, 
     return list(range(first, first + len(tail.points_m)))
 
 
-def _weigh(gltf: Any, clone: Clone, shell: int, hung: Sequence[tuple[Tail, list[int]]]) -> None:
+def _rewrite_weights(gltf: Any, clone: Clone, shell: int, hung: Sequence[tuple[Tail, list[int]]]) -> None:
     """Let bones carry a shell: its joints and weights are written anew where they lie."""
     kind = clone.shells[shell].kind
     row = sum(one.kind == kind for one in clone.shells[:shell])
@@ -163,8 +163,8 @@ def _bind(gltf: Any, points_m: Array) -> None:
     gltf.buffers[0].byteLength = len(gltf.binary_blob())
 
 
-def _bodies(clone: Clone, swing: Swing, found: Sequence[Tail]) -> dict[str, dict[str, Any]]:
-    """Return the shapes that a resting shell does not touch, by name, as large as the body and that rest allow."""
+def _colliders(clone: Clone, swing: Swing, found: Sequence[Tail]) -> dict[str, dict[str, Any]]:
+    """Return the colliders of a resting shell by name, as large as body and rest pose allow."""
     generic, shapes = load_generic(), {}
     points = np.vstack([tail.points_m for tail in found])
     radii = np.concatenate([tail.radius_m for tail in found])

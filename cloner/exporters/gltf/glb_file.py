@@ -26,7 +26,7 @@ def glb_bytes(gltf: Any) -> bytes:
     blob = gltf.binary_blob()
     if len(gltf.buffers) == 1:
         blob = _packed(gltf, blob)
-    text = json.dumps(_told(gltf), separators=(",", ":"), allow_nan=False).encode()
+    text = json.dumps(_plain_values(gltf), separators=(",", ":"), allow_nan=False).encode()
     text += b" " * (-len(text) % 4)
     return b"".join([
         struct.pack("<4sIIII", b"glTF", 2, _HEADS + len(text) + len(blob), len(text), _JSON), text,
@@ -50,15 +50,19 @@ def _packed(gltf: Any, blob: bytes) -> bytes:
     return packed
 
 
-def _told(value: Any) -> Any:
+def _plain_values(value: Any) -> Any:
     """Return a part of the file as plain values, without what is empty; an extension's own parts may be."""
     if isinstance(value, Attributes):
         value = value.__dict__
     elif is_dataclass(value):
         value = {field.name: getattr(value, field.name) for field in fields(value)}
     if isinstance(value, dict):
-        return {name: own if name == "extensions" else _told(own) for name, own in value.items() if not _is_empty(own)}
-    return [_told(own) for own in value] if isinstance(value, (list, tuple)) else value
+        return {
+            name: own if name == "extensions" else _plain_values(own)
+            for name, own in value.items()
+            if not _is_empty(own)
+        }
+    return [_plain_values(own) for own in value] if isinstance(value, (list, tuple)) else value
 
 
 def _is_empty(value: Any) -> bool:

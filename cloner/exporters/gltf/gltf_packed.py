@@ -91,7 +91,7 @@ def _indices(kind: Any, mode: str) -> Callable[[bytes], Packed]:
 
 @lru_cache(maxsize=8)  # those of the generic human are everybody's
 def _packed_triangles(data: bytes, kind: str) -> bytes:
-    return meshopt.triangles(meshopt.side_by_side(np.frombuffer(data, kind).reshape(-1, 3)))
+    return meshopt.triangles(meshopt.order_by_adjacency(np.frombuffer(data, kind).reshape(-1, 3)))
 
 
 def _strides(gltf: Any) -> dict[int, int]:

@@ -173,15 +173,15 @@ def _webp(data: bytes) -> bytes:
 
 
 def _with_half_pictures(clone: Clone) -> Clone:
-    atlas = replace(clone.atlas, rgb=halved(clone.atlas.rgb), coverage=halved(clone.atlas.coverage))
+    atlas = replace(clone.atlas, rgb=half_size(clone.atlas.rgb), coverage=half_size(clone.atlas.coverage))
     return replace(clone, atlas=atlas, shells=tuple(_half_shell(shell) for shell in clone.shells))
 
 
 def _half_shell(shell: Shell) -> Shell:
-    return replace(shell, rgba=halved(shell.rgba))
+    return replace(shell, rgba=half_size(shell.rgba))
 
 
-def halved(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def half_size(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Return a picture (H, W[, C]) of half the size, each pixel the mean of four; small and odd ones as they are."""
     height, width = pixels.shape[:2]
     if min(height, width) <= HALVED_ABOVE_PX or height % 2 or width % 2:

@@ -51,7 +51,7 @@ def targets_of(
     """
     found = [{"POSITION": number} for number in _sparse(buffer, len(vertex), _moved(clone, vertex))]
     if turns_of is not None:
-        turned = _sparse(buffer, len(vertex), turned_wedges(turns_of, vertex), plain=True)
+        turned = _sparse(buffer, len(vertex), turned_normals(turns_of, vertex), plain=True)
         for target, number in zip(found, turned, strict=True):
             target["NORMAL"] = number
     return found
@@ -62,7 +62,9 @@ def _moved(clone: Clone, vertex: NDArray[np.int32]) -> Iterator[tuple[NDArray[np
         yield moved, own
 
 
-def turned_wedges(clone: Clone, vertex: NDArray[np.integer]) -> Iterator[tuple[NDArray[np.int64], NDArray[np.float32]]]:
+def turned_normals(
+    clone: Clone, vertex: NDArray[np.integer]
+) -> Iterator[tuple[NDArray[np.int64], NDArray[np.float32]]]:
     """Yield for every morph target the wedges (M,) whose normals it turns, ascending, and the differences (M, 3).
 
     ``vertex`` (N,) is the generic human's vertex of every wedge.

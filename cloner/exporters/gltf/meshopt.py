@@ -96,8 +96,8 @@ def triangles(values: NDArray[np.integer]) -> bytes:
     return bytes([_TRIANGLES]) + bytes(writer.codes) + bytes(writer.data) + bytes(_PAIRS)
 
 
-def side_by_side(values: NDArray[np.integer]) -> NDArray[np.integer]:
-    """Return triangles (T, 3) in an order in which most share an edge with one just before: a third less bytes."""
+def order_by_adjacency(values: NDArray[np.integer]) -> NDArray[np.integer]:
+    """Return triangles (T, 3) in an order in which most share an edge with a recent one: a third less bytes."""
     corners = values.tolist()
     across = {}  # every edge, as its triangle goes along it: that triangle, the edge, the third corner
     for row, (a, b, c) in enumerate(corners):

@@ -61,7 +61,7 @@ def partition(
     pieces = []
     for joint in np.unique(owner):
         above = np.isin(owner, _above(int(joint), parents))
-        rows = np.flatnonzero(_grown(owner == joint, above, triangles, int(rings[joint])))
+        rows = np.flatnonzero(_dilated(owner == joint, above, triangles, int(rings[joint])))
         vertex, local = np.unique(triangles[rows], return_inverse=True)
         pieces.append(Piece(int(joint), rows, vertex.astype(np.int32), local.reshape(-1, 3).astype(np.int32)))
     return tuple(pieces)
@@ -76,7 +76,7 @@ def _above(joint: int, parents: NDArray[np.integer]) -> list[int]:
     return found
 
 
-def _grown(
+def _dilated(
     own: NDArray[np.bool_], open_: NDArray[np.bool_], triangles: NDArray[np.int32], rings: int
 ) -> NDArray[np.bool_]:
     """Return the own triangles with the open ones that lie at most ``rings`` neighbours away."""

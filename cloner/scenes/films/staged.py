@@ -9,9 +9,9 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.acting.tracks import Track, feet_of, footings_on
-from cloner.crowd.clones.stock import Stock
+from cloner.crowd.clones.stock import CrowdArrays
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
-from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Dice
+from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Mulberry32
 from cloner.crowd.staged.staging import HEAD_MIDDLE, PLAIN
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, no_progress
@@ -29,7 +29,7 @@ HELD_M, ABOVE_M = 0.44, 0.10
 
 
 def acted_by(
-    film: Film, stock: Stock, people: Sequence[Mapping[str, Any]], progress: Progress = no_progress
+    film: Film, stock: CrowdArrays, people: Sequence[Mapping[str, Any]], progress: Progress = no_progress
 ) -> tuple[Acted, dict[str, Any]]:
     """Return what the clones of a pack act in a film, and how it is staged.
 
@@ -60,7 +60,7 @@ def acted_by(
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     speeds = np.array([[c["speed_m_s"] for c in row["clips"]] for row in people])
     statures = [float(row["stature_m"]) for row in people]
-    dice = Dice(1)
+    dice = Mulberry32(1)
     tracks: list[Track] = []
     heads = [k for k, one in enumerate(film.actors) if one.head_at is not None]
     rows = np.zeros((len(film.actors) + len(heads), PERSON_TEXELS, 4), np.float32)
@@ -83,7 +83,7 @@ def acted_by(
 
 def _clones(actors: Sequence[Actor], known: Sequence[str]) -> list[int]:
     """Return each actor's clone; those for whom any will do take turns, by dice."""
-    dice, found = Dice(7), []
+    dice, found = Mulberry32(7), []
     order: list[int] = []
     for actor in actors:
         if actor.clone:
@@ -241,7 +241,7 @@ def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Seque
 
 
 def with_statues(
-    acted: Acted, stock: Stock, statues: Sequence[tuple[float, float, float, float, float]], seconds: float
+    acted: Acted, stock: CrowdArrays, statues: Sequence[tuple[float, float, float, float, float]], seconds: float
 ) -> tuple[Acted, dict[str, Any]]:
     """Return what is acted with statues added that stand on things of a room, and how that is staged.
 

@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from cloner.crowd.staged.footing import FROM, GONE, LAST, Acted
-from cloner.crowd.staged.scene import Dice
+from cloner.crowd.staged.scene import Mulberry32
 from cloner.crowd.staged.staging import STONE, UP, Staging
 from cloner.records.arrays import Array
 from cloner.scenes.films.hearing import RATE_HZ, Source
@@ -23,7 +23,7 @@ LOWEST, SPREAD, GOLDEN = 0.85, 0.3, 0.618
 
 def heel() -> Array:
     """Return (N,) the sound of a heel, of `RATE_HZ`; the same numbers every time."""
-    dice = Dice(5)
+    dice = Mulberry32(5)
     t = np.arange(int(np.ceil(HEEL_S * RATE_HZ))) / RATE_HZ
     noise = 2.0 * np.array([dice.roll() for _ in t]) - 1.0
     shape = CLICK[0] * np.exp(-t / CLICK[1]) + THUD[0] * np.exp(-t / THUD[1])

@@ -13,7 +13,7 @@ from cloner.acting.written import SpokenParts
 from cloner.crowd.clones.faces import TARGETS, WEIGHTS
 from cloner.crowd.drawing.player import SPOKEN_FILE
 from cloner.crowd.packs.files import packed
-from cloner.crowd.staged.faces import MOST_AT_ONCE, MOST_SAID, Said
+from cloner.crowd.staged.faces import MOST_AT_ONCE, MOST_SAID, Utterance
 from cloner.crowd.staged.faces import RATE_HZ as FACES_HZ
 from cloner.errors import ClonerError
 from cloner.motion.face.sound import wav_bytes
@@ -27,7 +27,7 @@ from cloner.scenes.films.sequence import Sequence as Film
 class Voices:
     """All that is said: by whom and when, and each one's sound (N,) of `RATE_HZ`, -1..1."""
 
-    said: tuple[Said, ...]
+    said: tuple[Utterance, ...]
     sounds: tuple[Array, ...]
 
     def sources(self) -> list[Source]:
@@ -50,7 +50,7 @@ def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
     files = {name: f"speech/{number}.wav" for number, name in enumerate(speeches) if len(speeches[name].sound)}
     first = dict(zip(rows, np.cumsum([0, *(len(one) for one in rows.values())]).tolist(), strict=False))
     said = tuple(
-        Said(who, when, first[name], len(rows[name]), files.get(name, ""))
+        Utterance(who, when, first[name], len(rows[name]), files.get(name, ""))
         for when, actors, name in sorted(film.speeches, key=lambda one: one[0])
         for who in actors
     )
@@ -74,7 +74,7 @@ def _rows(speech: Speech) -> NDArray[np.float32]:
     return out
 
 
-def _check_at_once(film: Film, said: Sequence[Said]) -> None:
+def _check_at_once(film: Film, said: Sequence[Utterance]) -> None:
     if len(said) > MOST_SAID:
         raise ClonerError(f"{len(said)} speeches are too many", f"Let at most {MOST_SAID} be said", "the film")
     ends = [one.when + (one.frames - 1) / FACES_HZ for one in said]

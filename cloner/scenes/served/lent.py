@@ -16,7 +16,7 @@ from cloner.crowd.clones.cast import ATLAS_PX, SHELL_PX
 from cloner.crowd.clones.faces import face_wedges
 from cloner.crowd.clones.levels import BodyLevels, budgets_in
 from cloner.crowd.packs.files import unpacked
-from cloner.crowd.packs.told import why_unfit_newcomer
+from cloner.crowd.packs.told import find_invalid_newcomer
 from cloner.crowd.staged.footing import CLIP_STEP
 from cloner.errors import ClonerError, printable
 from cloner.scenes.served.newcomers import Newcomer
@@ -62,7 +62,7 @@ def lent_of(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body
         If anything of it is no clone's, or another pack's.
     """
     faced = "faces" in facts
-    wrong = why_unfit_newcomer(row, faces=faced)
+    wrong = find_invalid_newcomer(row, faces=faced)
     if wrong:
         raise _unfit(wrong)
     if set(files) != set(FILES):

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clones import stock
-from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.cast import make_crowd_clone
 from cloner.crowd.clones.levels import BodyLevels, budgets_in
 from cloner.crowd.clones.people import Found, load_person
 from cloner.crowd.packs.files import packed, shell_bytes, webp
@@ -58,7 +58,7 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
     clone, _ = load_person(found, match.group(1) if match else "")
     budgets = budgets_in(facts["numbers"]["loose"])
     names = tuple(str(one["name"]) for one in own["clips"])
-    cast = cast_of(
+    cast = make_crowd_clone(
         "newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2,
         flow=load_flow(found.folder, clone), faces="faces" in facts, budgets=budgets,
     )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Final
 from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QSpinBox, QWidget
 
 from cloner.bodies.children import OLDEST, USUAL_AGE, YOUNGEST
-from cloner.bodies.telling import PRESETS, Told, statures_m, untold_mm
+from cloner.bodies.telling import PRESETS, BodySpecification, statures_m, untold_mm
 from cloner.booth.studio.values import BodyWish, Figure, received
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
@@ -123,7 +123,7 @@ class BodiesWindow(Bench):
         age = float(self.age.value())
         low, high = statures_m(self._sex, age)
         self.rows[STATURE].set_range(100.0 * low, 100.0 * high)
-        usual = untold_mm(Told(self._sex, self.rows[STATURE].number.value() / 100.0, {}, age))
+        usual = untold_mm(BodySpecification(self._sex, self.rows[STATURE].number.value() / 100.0, {}, age))
         for key, row in self.rows.items():
             if key != STATURE:
                 mean, spread = usual[key]

@@ -21,7 +21,7 @@ from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.packs.still import draw_pack
-from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.packs.told import find_invalid
 from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP, GONE, LAST, OTHER, rows_at
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
@@ -178,10 +178,10 @@ def test_bad_words_end_in_one_sentence(walk: Path, lively: Path, scenario: Path,
 
 def test_what_is_acted_is_checked_before_it_is_drawn(baked: Path, tmp_path: Path) -> None:
     facts = read_facts(baked)
-    assert why_unfit(facts) == ""
+    assert find_invalid(facts) == ""
     without = {key: value for key, value in facts.items() if key != "acted"}
-    assert why_unfit(without) == "acted"
-    assert why_unfit(facts | {"acted": facts["acted"] | {"seconds": 0}}) == "acted.seconds"
+    assert find_invalid(without) == "acted"
+    assert find_invalid(facts | {"acted": facts["acted"] | {"seconds": 0}}) == "acted.seconds"
     copy = tmp_path / "copy"
     shutil.copytree(baked, copy)
     data = bytearray((copy / "acted.bin").read_bytes())

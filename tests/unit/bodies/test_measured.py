@@ -11,15 +11,15 @@ from cloner.bodies.children import USUAL_AGE
 from cloner.bodies.family import round_body, usual_body
 from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import girth_slopes, level_slopes, read
-from cloner.bodies.telling import GIRTHS, Told, untold_mm
+from cloner.bodies.telling import GIRTHS, BodySpecification, untold_mm
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import girth_planes, mean_girth_mm
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.bodies import BodyMesh
 
-STOUT = Told("f", 1.68, {"bust_girth": 1090.0, "waist_girth": 980.0, "hip_girth": 1160.0})
-TAILOR = Told(
+STOUT = BodySpecification("f", 1.68, {"bust_girth": 1090.0, "waist_girth": 980.0, "hip_girth": 1160.0})
+TAILOR = BodySpecification(
     "m",
     1.80,
     {
@@ -42,7 +42,7 @@ def foreign_girth_mm(body: BodyMesh, height_m: float) -> float:
 
 
 @pytest.mark.parametrize("told", [STOUT, TAILOR], ids=["stout", "tailor"])
-def test_every_told_measure_is_met(told: Told) -> None:
+def test_every_told_measure_is_met(told: BodySpecification) -> None:
     body, rules = measured_body(told), load_tape_rules()
     shown = read(body.vertices_m, body.joints_m, rules, tuple(told.mm)).mm
     for key, value in told.mm.items():
@@ -58,7 +58,7 @@ def test_a_tape_of_another_make_reads_the_same() -> None:
 
 
 def test_a_waist_beyond_the_hips_is_met_over_the_seat() -> None:
-    told = Told("f", 1.65, {"bust_girth": 1100.0, "waist_girth": 1150.0, "hip_girth": 1060.0})
+    told = BodySpecification("f", 1.65, {"bust_girth": 1100.0, "waist_girth": 1150.0, "hip_girth": 1060.0})
     assert told.seat
     body = measured_body(told)
     seat = body.vertices_m[[load_generic().feature(f"buttock_{side}") for side in ("left", "right")], 1].mean()
@@ -66,8 +66,8 @@ def test_a_waist_beyond_the_hips_is_met_over_the_seat() -> None:
 
 
 def test_a_child_has_a_child_s_proportions_and_what_was_told() -> None:
-    told = Told("m", 1.28, {"bust_girth": 640.0, "waist_girth": 580.0, "hip_girth": 690.0}, 8.0)
-    child, man = measured_body(told), measured_body(Told("m", 1.76, {}))
+    told = BodySpecification("m", 1.28, {"bust_girth": 640.0, "waist_girth": 580.0, "hip_girth": 690.0}, 8.0)
+    child, man = measured_body(told), measured_body(BodySpecification("m", 1.76, {}))
     shown = read(child.vertices_m, child.joints_m, load_tape_rules(), tuple(told.mm)).mm
     for key, value in told.mm.items():
         assert shown[key] == pytest.approx(value, abs=1.0), key
@@ -80,7 +80,9 @@ def test_a_child_has_a_child_s_proportions_and_what_was_told() -> None:
 def test_the_head_keeps_its_shape_whatever_the_tape_says() -> None:
     generic = load_generic()
     skull = generic.head_blend > 0.999
-    slim, stout = (measured_body(Told("f", 1.68, {"waist_girth": waist})).vertices_m for waist in (700.0, 1000.0))
+    slim, stout = (
+        measured_body(BodySpecification("f", 1.68, {"waist_girth": waist})).vertices_m for waist in (700.0, 1000.0)
+    )
     apart = stout[skull] - slim[skull]
     assert np.ptp(apart, axis=0).max() < 1e-5
     assert np.abs(apart[:, [0, 1]]).max() < 1e-5
@@ -88,7 +90,7 @@ def test_the_head_keeps_its_shape_whatever_the_tape_says() -> None:
 
 
 def test_no_skin_turns_over_in_an_extreme_body() -> None:
-    told = Told("m", 1.75, {"bust_girth": 1310.0, "waist_girth": 1250.0, "hip_girth": 1240.0})
+    told = BodySpecification("m", 1.75, {"bust_girth": 1310.0, "waist_girth": 1250.0, "hip_girth": 1240.0})
     generic, after = load_generic(), measured_body(told).vertices_m
     triangles = generic.triangles()[0]
     before = generic.vertices_m.astype(float)
@@ -106,7 +108,7 @@ def test_no_skin_turns_over_in_an_extreme_body() -> None:
 
 def test_what_is_not_told_is_likely_beside_what_is() -> None:
     """The family's men have thin ankles: nearest to the told measures alone they lie 3.6 spreads below the table's."""
-    told = Told("m", 1.80, {"bust_girth": 1190.0, "waist_girth": 1060.0, "hip_girth": 1130.0})
+    told = BodySpecification("m", 1.80, {"bust_girth": 1190.0, "waist_girth": 1060.0, "hip_girth": 1130.0})
     body, usual = measured_body(told), untold_mm(told)
     girths = tuple(key for key in usual if key in GIRTHS)
     shown = read(body.vertices_m, body.joints_m, load_tape_rules(), girths).mm
@@ -117,7 +119,7 @@ def test_what_is_not_told_is_likely_beside_what_is() -> None:
 def test_a_body_told_what_it_has_stays_as_it_is() -> None:
     base, rules = usual_body("f", 1.70, USUAL_AGE), load_tape_rules()
     own = read(base.vertices_m, base.joints_m, rules, ("waist_girth", "hip_girth")).mm
-    again = remeasured_body(base, Told("f", 1.70, dict(own)))
+    again = remeasured_body(base, BodySpecification("f", 1.70, dict(own)))
     assert np.abs(again.vertices_m - base.vertices_m).max() < 1e-5
 
 

@@ -12,7 +12,7 @@ import pytest
 
 from cloner.bodies.bare import bare_skin, worn_skin
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.bodies.undressed import undress_folder, undressed_clone
 from cloner.errors import Cancelled, ClonerError
 from cloner.generic.charts import generic_atlas
@@ -33,7 +33,7 @@ SOLE_M = 0.02
 
 @pytest.fixture(scope="module")
 def naked() -> Clone:
-    return clone_of_measures(Told("m", 1.78, {"waist_girth": 860.0}), 512)
+    return clone_of_measures(BodySpecification("m", 1.78, {"waist_girth": 860.0}), 512)
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cloner.bodies.made import remeasured_clone
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.bodies.written import body_folder
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
@@ -70,7 +70,7 @@ def test_a_clone_told_a_waist_keeps_its_head_and_its_ease(eva: Path) -> None:
     carried = np.zeros((3, 4), np.int32), np.tile([1.0, 0, 0, 0], (3, 1)), np.zeros((2, 2, 4), np.uint8)
     hair = Shell(old.vertices_m[:3] + 0.01, np.array([[0, 1, 2]], np.int32), np.zeros((3, 2)), *carried)
     dressed = replace(old, measures_mm=dict(old.measures_mm) | {"waist_girth": 700.0}, shells=(hair,))
-    new = remeasured_clone(dressed, Told("f", old.stature_m, {"waist_girth": 800.0}))
+    new = remeasured_clone(dressed, BodySpecification("f", old.stature_m, {"waist_girth": 800.0}))
     skull = load_generic().head_blend > 0.999
     assert np.ptp((new.vertices_m - old.vertices_m)[skull], axis=0).max() < 1e-5
     assert new.measures_mm["waist_girth"] == 800.0
@@ -81,7 +81,7 @@ def test_a_clone_told_a_waist_keeps_its_head_and_its_ease(eva: Path) -> None:
 
 def test_a_clone_told_its_stature_is_as_tall(eva: Path) -> None:
     old = load_clone_at(eva)
-    new = remeasured_clone(old, Told("f", 1.80, {}))
+    new = remeasured_clone(old, BodySpecification("f", 1.80, {}))
     assert new.vertices_m[load_generic().feature("head_top"), 1] == pytest.approx(1.80, abs=1e-6)
     assert new.measures_mm["bust_girth"] == pytest.approx(old.measures_mm["bust_girth"] * 1.80 / 1.68, abs=2.0)
 

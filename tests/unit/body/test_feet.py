@@ -5,7 +5,7 @@ import pytest
 
 from cloner.body import feet
 from cloner.body.outlined import outlined_photos
-from cloner.evaluate.measures.crossings import self_crossings
+from cloner.evaluate.measures.crossings import self_intersections
 from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
@@ -77,7 +77,7 @@ def test_closed_toes_do_not_fold(seed):
     naked = BodyMesh(person.vertices_m, person.joints_m)
     triangles = load_triangles()[np.isin(load_triangles(), foot()).all(axis=1)]
     shod = feet.scale_feet(feet.flatten_soles(feet.close_toes(naked)), np.array(feet.Params().shod), SOLE_M)
-    assert len(self_crossings(shod, triangles).pairs) <= 4, "a thousand when toes are pushed straight outwards"
+    assert len(self_intersections(shod, triangles).pairs) <= 4, "a thousand when toes are pushed straight outwards"
     assert areas(shod, triangles).min() > 2e-8, "square metres; the least of a naked foot's are 6e-8"
     toe = load_generic().feature("toe_left")
     assert np.linalg.norm(shod[toe] - feet.scale_feet(naked, np.array(feet.Params().shod), SOLE_M)[toe]) < 0.025

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.booth.studio.jobs import StudioJobs
 from cloner.booth.studio.values import BodyWish, Outfit, StatueWish, received
 from cloner.booth.worker import Worker
@@ -23,7 +23,7 @@ def quiet(step, fraction):
 def eva(tmp_path_factory):
     folder = tmp_path_factory.mktemp("eva") / "eva"
     folder.mkdir()
-    save_clone(clone_of_measures(Told("f", 1.68, {}), 512), folder / "clone.npz")
+    save_clone(clone_of_measures(BodySpecification("f", 1.68, {}), 512), folder / "clone.npz")
     return folder
 
 
@@ -86,7 +86,7 @@ def test_a_clone_that_was_made_again_is_read_again(eva, tmp_path):
     save_clone(load_clone_at(eva), folder / "clone.npz")
     first, _ = jobs.begin_body(BodyWish("", 168.0, {}, folder), quiet)
     time.sleep(0.01)
-    save_clone(clone_of_measures(Told("f", 1.8, {}), 512), folder / "clone.npz")
+    save_clone(clone_of_measures(BodySpecification("f", 1.8, {}), 512), folder / "clone.npz")
     second, _ = jobs.begin_body(BodyWish("", 168.0, {}, folder), quiet)
     assert (first.stature_m, second.stature_m) == (1.68, 1.8)
 

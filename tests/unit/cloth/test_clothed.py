@@ -11,15 +11,15 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.clothed import clothed, write_clothed
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import Dressed, dressed
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.written import dress_file
-from cloner.crowd.clones.cast import Cast, cast_of, posed
-from cloner.crowd.clones.flowing import decomposed
+from cloner.crowd.clones.cast import CrowdClone, make_crowd_clone, posed
+from cloner.crowd.clones.flowing import decompose_skinning
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.levels import BodyLevels, body_levels
 from cloner.errors import ClonerError
@@ -33,7 +33,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512)
+    return clone_of_measures(BodySpecification("f", 1.68, {"waist_girth": 740.0}), 512)
 
 
 @pytest.fixture(scope="module")
@@ -53,10 +53,10 @@ def result(eva: Clone, walking: Dressed, tmp_path_factory: pytest.TempPathFactor
 
 
 @pytest.fixture(scope="module")
-def cast(result: Path) -> tuple[Cast, Clone, BodyLevels]:
+def cast(result: Path) -> tuple[CrowdClone, Clone, BodyLevels]:
     clone, body = load_clone(result / "clone.npz"), body_levels()
     flow = load_flow(result, clone)
-    return cast_of("eva", centre_joints(clone), body, poses=16, flow=flow), clone, body
+    return make_crowd_clone("eva", centre_joints(clone), body, poses=16, flow=flow), clone, body
 
 
 def test_the_result_wears_its_garment_and_keeps_how_it_flows(result: Path, walking: Dressed) -> None:
@@ -102,14 +102,16 @@ def test_two_rigid_halves_are_found_exactly() -> None:
     for k in range(6):
         turns = Rotation.from_rotvec([[0.1 * k, 0.0, 0.0], [0.0, -0.2 * k, 0.0]]).as_matrix()
         frames.append(np.concatenate([rest[:60] @ turns[0].T, rest[60:] @ turns[1].T + [0.0, 0.01 * k, 0.0]]))
-    bones, joints, weights = decomposed(rest, np.array(frames))
+    bones, joints, weights = decompose_skinning(rest, np.array(frames))
     for k in range(6):
         assert posed(rest, joints, weights, bones[k]) == pytest.approx(frames[k], abs=1e-6)
     assert weights.sum(axis=1) == pytest.approx(1.0)
     assert weights.min() >= 0.0
 
 
-def test_cloth_flows_in_a_crowd_as_it_was_simulated(cast: tuple[Cast, Clone, BodyLevels], walking: Dressed) -> None:
+def test_cloth_flows_in_a_crowd_as_it_was_simulated(
+    cast: tuple[CrowdClone, Clone, BodyLevels], walking: Dressed
+) -> None:
     made, clone, _ = cast
     walk, loose = made.clips[0], made.loose
     flow = walking.loop.frames_m[:, walking.worn.cloth.vertex]
@@ -130,7 +132,7 @@ def test_cloth_flows_in_a_crowd_as_it_was_simulated(cast: tuple[Cast, Clone, Bod
     assert np.linalg.norm(still - loose.vertices_m[cloth], axis=1).max() < 0.06
 
 
-def test_covered_skin_lies_deeper_and_the_garment_has_its_own_look(cast: tuple[Cast, Clone, BodyLevels]) -> None:
+def test_covered_skin_lies_deeper_and_the_garment_has_its_own_look(cast: tuple[CrowdClone, Clone, BodyLevels]) -> None:
     made, clone, body = cast
     moved = np.linalg.norm(made.vertices_m - centre_joints(clone).vertices_m[body.vertex], axis=1)
     assert moved.max() == pytest.approx(0.02, abs=1e-3)
@@ -139,7 +141,7 @@ def test_covered_skin_lies_deeper_and_the_garment_has_its_own_look(cast: tuple[C
     assert np.abs(np.array(made.looks["bottom"].colour) - FABRICS["silk"].rgb).max() < 25.0
 
 
-def test_the_file_of_levels_carries_the_cloth_s_bones(cast: tuple[Cast, Clone, BodyLevels]) -> None:
+def test_the_file_of_levels_carries_the_cloth_s_bones(cast: tuple[CrowdClone, Clone, BodyLevels]) -> None:
     made, clone, body = cast
     data = levels_glb(made, clone, body)
     told = json.loads(data[20 : 20 + struct.unpack("<I", data[12:16])[0]])

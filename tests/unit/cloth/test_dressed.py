@@ -13,7 +13,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.caches import obj, pc2, usd, vat
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import Dressed, dressed
@@ -33,7 +33,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centre_joints(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(BodySpecification("f", 1.68, {"waist_girth": 740.0}), 512))
 
 
 @pytest.fixture(scope="module")

@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.fitted import ALL, CLEAR_M, SKIN, base_mesh_m, fit_folder, fitted_shell, read_fitted
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
@@ -24,7 +24,7 @@ SPANS = ((5399, 11998), (791, 881), (962, 5320))
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return clone_of_measures(Told("f", 1.72, {"bust_girth": 980.0, "waist_girth": 800.0}), 512)
+    return clone_of_measures(BodySpecification("f", 1.72, {"bust_girth": 980.0, "waist_girth": 800.0}), 512)
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.freesewing import PIECES, read_svg_garment
 from cloner.cloth.drafting.pattern import Pattern, length_m
 from cloner.cloth.drafting.sections import Sections, sections
@@ -54,7 +54,9 @@ def draft(folder: Path, parts: dict[str, str], notches: str = NOTCHES) -> Path:
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centre_joints(clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512))
+    return centre_joints(
+        clone_of_measures(BodySpecification("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512)
+    )
 
 
 @pytest.fixture(scope="module")

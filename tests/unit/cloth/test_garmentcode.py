@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import length_m
 from cloner.cloth.drafting.sections import Sections, sections
@@ -20,7 +20,7 @@ from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.moving import put_on, simulate
 from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
-from cloner.evaluate.measures.crossings import self_crossings
+from cloner.evaluate.measures.crossings import self_intersections
 from cloner.motion.limbs.rig import centre_joints
 from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
@@ -28,7 +28,9 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centre_joints(clone_of_measures(Told("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512))
+    return centre_joints(
+        clone_of_measures(BodySpecification("f", 1.68, {"bust_girth": 920.0, "waist_girth": 740.0}), 512)
+    )
 
 
 @pytest.fixture(scope="module")
@@ -186,7 +188,7 @@ def test_somebody_else_wears_it(told: Any, eva: Clone, tmp_path: Path) -> None:
     start = worn.start.places_m
     low = 0.45 * eva.stature_m if told is trousers else 0.0  # legs walk
     assert np.linalg.norm(moved - start, axis=1)[start[:, 1] > low].max() < 0.35, "it stays on"
-    assert len(np.unique(self_crossings(moved, worn.cloth.faces).pairs)) < 0.05 * len(worn.cloth.faces)
+    assert len(np.unique(self_intersections(moved, worn.cloth.faces).pairs)) < 0.05 * len(worn.cloth.faces)
 
 
 def test_what_is_no_garment_is_refused_in_one_sentence(body: Sections, tmp_path: Path) -> None:

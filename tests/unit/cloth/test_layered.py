@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from typer.testing import CliRunner
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cli import app
 from cloner.cloth import dressing
 from cloner.cloth.dressing import Dressed, dressed, pattern_of
@@ -29,7 +29,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centre_joints(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(BodySpecification("f", 1.68, {"waist_girth": 740.0}), 512))
 
 
 @pytest.fixture(scope="module")

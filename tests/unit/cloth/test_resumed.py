@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth import written
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import Dressing
@@ -26,7 +26,7 @@ from cloner.records.clones import Clone
 
 @pytest.fixture(scope="module")
 def eva() -> Clone:
-    return centre_joints(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+    return centre_joints(clone_of_measures(BodySpecification("f", 1.68, {"waist_girth": 740.0}), 512))
 
 
 def skirt(eva: Clone, path: Path | None, fabric: str = "cotton") -> Dressing:

@@ -15,7 +15,7 @@ from cloner.cloth.simulation.fabrics import FABRICS, Fabric
 from cloner.cloth.simulation.solver import LONGEST, THICK_M, Sheet, State, core_of, sheet_of, step, strains
 from cloner.cloth.simulation.threads import in_groups, spacing_of
 from cloner.cloth.simulation.wearer import Skin
-from cloner.evaluate.measures.crossings import self_crossings
+from cloner.evaluate.measures.crossings import self_intersections
 
 CALM = np.zeros(3)
 
@@ -155,7 +155,7 @@ def test_cloth_that_flies_into_itself_does_not_pass(spaced: bool) -> None:
     held = state.places_m[top]
     for _ in range(20):
         state = step(core, sheet.fabric, state, skin, (held, held), 1 / 30, 20, CALM)
-        most = max(most, len(self_crossings(state.places_m, sheet.faces).pairs))
+        most = max(most, len(self_intersections(state.places_m, sheet.faces).pairs))
     assert most == 0 if spaced else most > 10
 
 
@@ -180,7 +180,9 @@ def test_edges_that_are_pressed_keep_their_gap_and_their_side() -> None:
     core.call("findPairs", 0.0)
     core.call("findGuards", 0.0)
     core.arrays["place"][high:, 2] -= 0.0015  # through
-    assert len(self_crossings(np.array(core.arrays["place"]), faces).pairs) == 0, "flat pieces side by side in space"
+    assert len(self_intersections(np.array(core.arrays["place"]), faces).pairs) == 0, (
+        "flat pieces side by side in space"
+    )
     for _ in range(20):
         core.call("keepGap")
     gap = core.arrays["place"][high:, 2].mean() - core.arrays["place"][:high, 2].mean()

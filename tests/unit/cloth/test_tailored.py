@@ -11,7 +11,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.blocks import BLOCKS, line
 from cloner.cloth.drafting.cut import Cloth, cut
 from cloner.cloth.drafting.pattern import Segment, check_pattern, length_m, pattern_text, read_pattern
@@ -34,10 +34,10 @@ OPENINGS = {
     "trousers": 3,
 }  # fmt: skip
 PEOPLE = {
-    "eva": Told("f", 1.68, {"waist_girth": 740.0}),
-    "tall": Told("m", 1.92, {"bust_girth": 1020.0, "waist_girth": 860.0}),
-    "stout": Told("m", 1.74, {"bust_girth": 1180.0, "waist_girth": 1120.0, "hip_girth": 1150.0}),
-    "slight": Told("f", 1.52, {"bust_girth": 800.0, "waist_girth": 620.0, "hip_girth": 860.0}),
+    "eva": BodySpecification("f", 1.68, {"waist_girth": 740.0}),
+    "tall": BodySpecification("m", 1.92, {"bust_girth": 1020.0, "waist_girth": 860.0}),
+    "stout": BodySpecification("m", 1.74, {"bust_girth": 1180.0, "waist_girth": 1120.0, "hip_girth": 1150.0}),
+    "slight": BodySpecification("f", 1.52, {"bust_girth": 800.0, "waist_girth": 620.0, "hip_girth": 860.0}),
 }
 
 

@@ -11,7 +11,7 @@ from skimage.metrics import structural_similarity
 
 from cloner.crowd.drawing.impostors import Tiles
 from cloner.crowd.drawing.player import player_page
-from cloner.crowd.drawing.texels import SAMPLES, reduced
+from cloner.crowd.drawing.texels import SAMPLES, downsample_tiles
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.files import tile_files, tiles_from
 from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
@@ -167,10 +167,10 @@ def test_a_texel_at_the_rim_has_its_persons_code() -> None:
     colour, shape = np.zeros((2, side, side, 4), np.uint8)
     colour[:, : side // 3] = 255  # a third of the block is covered, all of it shirt
     shape[:, : side // 3, 3] = 3
-    _, shapes = reduced(colour, shape)
+    _, shapes = downsample_tiles(colour, shape)
     assert shapes.shape == (1, 1, 4)
     assert shapes[0, 0, 3] == 3
-    _, fine = reduced(colour, shape, 1)
+    _, fine = downsample_tiles(colour, shape, 1)
     assert fine.shape == (2, 2, 4)
     assert (fine[..., 3] == 3).all()
 

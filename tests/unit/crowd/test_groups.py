@@ -9,11 +9,11 @@ from skimage.color import deltaE_ciede2000, rgb2lab
 from cloner.crowd.clones.groups import (
     GROUPS,
     STEP,
-    dressed,
-    exchanged,
+    exchange_garment,
     grey_atlas,
     looks_of,
     marks_of,
+    recolour,
     texel_groups,
     triangle_groups,
 )
@@ -45,7 +45,7 @@ def test_the_sources_eight_groups_are_found_and_lie_where_they_belong() -> None:
 def test_the_own_outfit_times_grey_is_the_atlas() -> None:
     rgb, codes = worn()
     looks = looks_of(rgb, codes)
-    again = dressed(grey_atlas(rgb, codes, looks), {name: look.colour for name, look in looks.items()})
+    again = recolour(grey_atlas(rgb, codes, looks), {name: look.colour for name, look in looks.items()})
     inside = codes > 0
     away = deltaE_ciede2000(rgb2lab(again[inside]), rgb2lab(rgb[inside]))
     assert away.mean() < 3.0
@@ -55,7 +55,7 @@ def test_a_dye_leaves_every_other_texel_alone() -> None:
     rgb, codes = worn()
     looks = looks_of(rgb, codes)
     grey, own = grey_atlas(rgb, codes, looks), {name: look.colour for name, look in looks.items()}
-    before, after = dressed(grey, own), dressed(grey, own | {"top": (200.0, 20.0, 20.0)})
+    before, after = recolour(grey, own), recolour(grey, own | {"top": (200.0, 20.0, 20.0)})
     changed = (before != after).any(axis=2)
     assert changed[group(codes, "top")].mean() > 0.95
     assert not changed[~group(codes, "top")].any()
@@ -64,7 +64,7 @@ def test_a_dye_leaves_every_other_texel_alone() -> None:
 def test_a_shorter_sleeve_shows_the_wearers_own_skin() -> None:
     rgb, codes = worn(sleeves=True, shift=60)
     other_rgb, other_codes = worn()
-    out, told = exchanged(rgb, codes, other_rgb, other_codes, "top")
+    out, told = exchange_garment(rgb, codes, other_rgb, other_codes, "top")
     taken, bare = group(other_codes, "top"), group(codes, "top") & ~group(other_codes, "top")
     assert bare.sum() > 200
     assert np.median(np.abs(out[taken].astype(int) - SHIRT).max(axis=1)) == 0

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.cast import make_crowd_clone
 from cloner.crowd.clones.groups import GROUPS, garment_masks
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.stock import HUNG_AT, no_sets, table_row
@@ -50,9 +50,9 @@ def hanging(cap: Shell, colour: tuple[int, int, int]) -> Shell:
 
 def test_a_skirt_that_hangs_loose_is_not_lent_and_a_coats_is_dyed_with_the_coat() -> None:
     body, clone, cap = body_levels(), dressed_toy(), toy_clone().shells[0]
-    plain = cast_of("ada", clone, body, poses=4)
+    plain = make_crowd_clone("ada", clone, body, poses=4)
     skirt, coat = hanging(cap, TROUSERS), hanging(cap, SHIRT)
-    hung, wrapped = (cast_of("ada", replace(clone, shells=(one,)), body, poses=4) for one in (skirt, coat))
+    hung, wrapped = (make_crowd_clone("ada", replace(clone, shells=(one,)), body, poses=4) for one in (skirt, coat))
     assert wrapped.hung == "top"
     for cast in (hung, wrapped):
         row = table_row(cast, no_sets(cast), 33.0, 22, 0)

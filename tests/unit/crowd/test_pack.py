@@ -16,7 +16,7 @@ import numpy as np
 import pygltflib
 import pytest
 
-from cloner.crowd.clones.clips import shown, walked
+from cloner.crowd.clones.clips import resampled, walked
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.vat import LEVEL
 from cloner.crowd.packs.check import check_pack
@@ -134,7 +134,7 @@ def test_standing_feet_slide_by_millimetres_between_the_frames_that_are_shown(re
                                        speed_m_s=motion.speed_m_s * motion.times_s[-1] * RULER_HZ / 48))  # fmt: skip
     assert len(slid) == 2
     assert slid.max() < 0.005
-    moved = body.places(motion)[::4] - body.places(shown(dense, 12))
+    moved = body.places(motion)[::4] - body.places(resampled(dense, 12))
     assert np.abs(moved).max() < 0.06, "the same walk, but that feet rise a frame longer before they swing"
 
 

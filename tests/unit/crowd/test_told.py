@@ -11,7 +11,7 @@ import pytest
 
 from cloner.crowd.packs.files import picture, unpacked
 from cloner.crowd.packs.reading import read_facts
-from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.packs.told import find_invalid
 from cloner.errors import ClonerError
 from fuzz.targets import crowd_bytes
 
@@ -21,7 +21,7 @@ def facts() -> dict[str, Any]:
 
 
 def test_what_a_pack_says_is_fit() -> None:
-    assert why_unfit(facts()) == ""
+    assert find_invalid(facts()) == ""
 
 
 @pytest.mark.parametrize(
@@ -55,28 +55,28 @@ def test_an_unfit_value_is_named(path: str, value: object, tmp_path: Path) -> No
     (tmp_path / "crowd.json").write_text(json.dumps(told))
     with pytest.raises(ClonerError, match="is unfit"):
         read_facts(tmp_path)
-    assert why_unfit(told).startswith(path)
+    assert find_invalid(told).startswith(path)
 
 
 def test_only_the_finest_level_has_no_largest_size() -> None:
     told = facts()
     told["tiers"][0]["largest_px"] = 0
-    assert why_unfit(told) == ""
+    assert find_invalid(told) == ""
     told["tiers"][3]["largest_px"] = 0
-    assert why_unfit(told) == "tiers.largest_px"
+    assert find_invalid(told) == "tiers.largest_px"
 
 
 def test_a_missing_part_is_named() -> None:
     told = facts()
     del told["impostors"]["classic"]
-    assert why_unfit(told) == "impostors.classic"
+    assert find_invalid(told) == "impostors.classic"
 
 
 def test_files_lie_inside_the_pack() -> None:
     for name in ("/etc/passwd", "people/../../x"):
         told = facts()
         told["files"][name] = "ab"
-        assert why_unfit(told) == "files"
+        assert find_invalid(told) == "files"
 
 
 def test_no_bomb_is_unpacked() -> None:

@@ -69,7 +69,7 @@ def test_all_targets_are_there_and_move_no_ear_no_skull_and_no_eye_through_a_lid
     for name in ("browDownLeft", "cheekSquintLeft", "eyeBlinkLeft", "eyeBlinkRight", "eyeLookDownLeft", "eyeLookInLeft",
                  "eyeLookUpRight", "eyeSquintLeft", "eyeWideLeft", "mouthSmileLeft", "noseSneerRight", "jawOpen",
                  "mouthRollUpper", "viseme_aa", "viseme_O"):  # fmt: skip
-        figures = face_motion.worst_on_the_way(rest, steps[name])
+        figures = face_motion.worst_along_path(rest, steps[name])
         assert figures.eye_through < 0.05, name
         assert figures.teeth_through < 0.5, name
         assert figures.tongue_through < 0.5, name
@@ -120,7 +120,7 @@ def test_a_tongue_comes_out_over_the_lower_lip_and_through_no_lip(person) -> Non
     assert 0.008 < out[rows, 2].max() - lower[..., 2].max() < 0.03, "it is seen from the front"
     tip = rows[out[rows, 2] > lower[..., 2].max()]
     assert np.ptp(out[tip, 0]) > 0.012, "as broad as a tongue, no thorn"
-    assert face_motion.worst_on_the_way(rest, steps["tongueOut"]).tongue_through < 2.0
+    assert face_motion.worst_along_path(rest, steps["tongueOut"]).tongue_through < 2.0
 
 
 def test_the_tongue_passes_no_lip_in_a_sum(person) -> None:

@@ -9,12 +9,12 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.evaluate import kit_scores
-from cloner.evaluate.figures.origins import Origins
-from cloner.evaluate.figures.parts import with_skin_below, wrong_part_share
+from cloner.evaluate.figures.origins import TexelOrigins
+from cloner.evaluate.figures.parts import allow_skin_behind, wrong_part_share
 from cloner.evaluate.scoreboard import evaluate_visitors
 from cloner.evaluate.scores import Score
 from cloner.evaluate.truths.baselines import generic_clone
-from cloner.evaluate.truths.kit import is_kit_person, kit_people, photos_alone, read_kit
+from cloner.evaluate.truths.kit import is_kit_person, kit_people, photos_without_truth, read_kit
 from cloner.evaluate.truths.labels import label_ious
 from cloner.evaluate.truths.truth import truth_camera
 from cloner.frames import ViewId
@@ -100,7 +100,7 @@ def test_a_person_is_found_alone_and_among_others(person, samples):
 
 
 def test_a_clone_sees_the_photos_alone(person):
-    with photos_alone(person) as folder:
+    with photos_without_truth(person) as folder:
         assert sorted(path.name for path in folder.iterdir()) == ["body_front.jpg", "face_front.jpg"]
         assert folder.name == "p00001"
 
@@ -112,7 +112,7 @@ def test_a_clone_sees_none_of_the_photos_kept_back(person, monkeypatch):
         seen.extend(path.name for path in photos.iterdir())
         raise ClonerError("no person found in this photo", "Take it again", "face_front.jpg")
 
-    monkeypatch.setattr(kit_scores, "clone_apart", refuse)
+    monkeypatch.setattr(kit_scores, "clone_in_process", refuse)
     evaluate_visitors([person], shown=(ViewId.FACE_FRONT, ViewId.FACE_SIDE))
     assert seen == ["face_front.jpg"]
 
@@ -194,7 +194,7 @@ def origins_of(kit, rows):
     pixel = kit.truth.views["body_front"].camera.project(body_m[corners].mean(axis=1))
     third = np.full((len(rows), 3), 1.0 / 3.0, np.float32)
     flags = np.zeros(len(rows), bool)
-    return Origins(corners, third, np.zeros(len(rows), int), flags, pixel.astype(np.float32), (ViewId.BODY_FRONT,))
+    return TexelOrigins(corners, third, np.zeros(len(rows), int), flags, pixel.astype(np.float32), (ViewId.BODY_FRONT,))
 
 
 def test_texels_from_another_part_are_counted(person):
@@ -209,7 +209,7 @@ def test_texels_from_another_part_are_counted(person):
     torso, inner = len(rows) - int(arm.sum()), origins_of(kit, rows)
     middle = np.median(right.pixel_px[:10], axis=0)  # a place on an arm
     streak = np.where(np.arange(len(rows))[:, None] >= int(arm.sum()), middle, right.pixel_px).astype(np.float32)
-    wrong = Origins(inner.vertices, inner.barycentric, inner.view, inner.mirrored, streak, inner.views)
+    wrong = TexelOrigins(inner.vertices, inner.barycentric, inner.view, inner.mirrored, streak, inner.views)
     share = torso / len(rows)
     assert wrong_part_share(wrong, generic, kit) == pytest.approx(share, abs=0.15 * share + 0.02)
 
@@ -217,9 +217,9 @@ def test_texels_from_another_part_are_counted(person):
 def test_a_face_behind_hair_is_skin_and_a_beard_is_none():
     bit = {name: 1 << LABELS.index(name) for name in ("hair", "accessory", "beard", "upper_clothes", "body_skin")}
     near = np.array([bit["hair"], bit["hair"] | bit["accessory"], bit["beard"], bit["hair"] | bit["upper_clothes"], 0])
-    skin = with_skin_below(near, np.ones(5, bool)) & bit["body_skin"]
+    skin = allow_skin_behind(near, np.ones(5, bool)) & bit["body_skin"]
     assert list(skin > 0) == [True, True, False, False, False]
-    assert np.array_equal(with_skin_below(near, np.zeros(5, bool)), near)
+    assert np.array_equal(allow_skin_behind(near, np.zeros(5, bool)), near)
 
 
 def test_a_refused_person_is_a_row_and_a_sentence(person, monkeypatch):
@@ -228,7 +228,7 @@ def test_a_refused_person_is_a_row_and_a_sentence(person, monkeypatch):
         assert not (photos / "truth.json").exists()
         raise ClonerError("no person found in this photo", "Take it again", "face_side.jpg")
 
-    monkeypatch.setattr(kit_scores, "clone_apart", refuse)
+    monkeypatch.setattr(kit_scores, "clone_in_process", refuse)
     told = []
     rows = evaluate_visitors([person.parent], told=told.append)
     assert [(row["visitor"], row["metric"], row["value"]) for row in rows] == [("p00001", "cloned", 0.0)]
@@ -239,7 +239,7 @@ def test_a_defect_costs_one_person_and_no_other_s_rows(person, monkeypatch):
     def fail(photos, stature_m, out, *, labelled):
         raise ZeroDivisionError("somewhere")
 
-    monkeypatch.setattr(kit_scores, "clone_apart", fail)
+    monkeypatch.setattr(kit_scores, "clone_in_process", fail)
     told = []
     rows = evaluate_visitors([person.parent], told=told.append)
     assert [(row["visitor"], row["metric"], row["value"]) for row in rows] == [("p00001", "cloned", 0.0)]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.body.hands import scale_hands
-from cloner.evaluate.measures.posing import JOINTS, hand_vertices, pose_clone, rotations_towards, truth_from_body
+from cloner.evaluate.measures.posing import JOINTS, fit_rotations, hand_vertices, pose_clone, truth_from_body
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.records.bodies import BodyMesh
@@ -44,7 +44,7 @@ def test_a_leaning_trunk_is_found_though_the_limbs_have_other_lengths(degrees):
         return 1000 * float(np.linalg.norm(posed.vertices_m[trunk] - truth.vertices_m[trunk], axis=1).mean())
 
     best, before = away_mm(leaning(degrees)), away_mm(leaning(0.0))
-    after = away_mm(rotations_towards(clone, generic, joints, truth.features_m, leaning(0.0)))
+    after = away_mm(fit_rotations(clone, generic, joints, truth.features_m, leaning(0.0)))
     assert before > best + 8.0, "the lean is seen"
     assert after < best + 8.0, f"{before:.1f} -> {after:.1f} mm; in the true pose {best:.1f}"
 
@@ -72,7 +72,7 @@ def test_a_true_body_in_a_wrong_pose_gets_the_truths_hands_and_feet(segment):
     truth = pose_clone(clone, generic, standing)
     joints, marks = true_marks(truth, generic)
     rows = generic.vertex_segment == generic.segment_names.index(segment)
-    found = rotations_towards(clone, generic, joints, marks, tips_turned(standing, 20.0, 8.0))
+    found = fit_rotations(clone, generic, joints, marks, tips_turned(standing, 20.0, 8.0))
     posed = pose_clone(clone, generic, found)
     posed = posed.moved(truth_from_body(posed, generic, joints, marks))
     away_mm = 1000 * np.linalg.norm(posed.vertices_m[rows] - truth.vertices_m[rows], axis=1)
@@ -85,7 +85,7 @@ def test_hands_of_a_wrong_length_stay_wrong():
     joints, marks = true_marks(truth, generic)
     longer = scale_hands(BodyMesh(clone.vertices_m, clone.joints_m), np.array([1.2, 1.0]))
     wrong = replace(clone, vertices_m=longer.vertices_m, joints_m=longer.joints_m)
-    posed = pose_clone(wrong, generic, rotations_towards(wrong, generic, joints, marks, leaning(0.0)))
+    posed = pose_clone(wrong, generic, fit_rotations(wrong, generic, joints, marks, leaning(0.0)))
     posed = posed.moved(truth_from_body(posed, generic, joints, marks))
     tip = generic.feature("fingertip_left")
     assert 1000 * float(np.linalg.norm(posed.vertices_m[tip] - truth.vertices_m[tip])) > 20.0

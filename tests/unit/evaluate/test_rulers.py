@@ -16,8 +16,8 @@ def test_swollen_sphere_is_five_millimetres_away(sphere):
     swollen = sphere.vertices * (105.0 / 100.0)
     _, distance, _ = surfaces.TriangleSurface(sphere.vertices, sphere.faces).closest(swollen)
     # the sphere is faceted: its faces lie up to 0.1 mm inside, vertices touch corners exactly
-    assert 1000 * rulers.spread(distance).mean == pytest.approx(5.0, abs=0.02)
-    assert 1000 * rulers.spread(distance).p95 == pytest.approx(5.0, abs=0.02)
+    assert 1000 * rulers.summarise(distance).mean == pytest.approx(5.0, abs=0.02)
+    assert 1000 * rulers.summarise(distance).p95 == pytest.approx(5.0, abs=0.02)
 
 
 def test_similarity_forgives_the_swelling_and_rigid_does_not(sphere):
@@ -26,7 +26,7 @@ def test_similarity_forgives_the_swelling_and_rigid_does_not(sphere):
     results = {}
     for scale in (True, False):
         moved = rulers.align_by_nearest(truth, surface, scale=scale)
-        _, distance, _ = surface.closest(rulers.apply(np.linalg.inv(moved), truth))
+        _, distance, _ = surface.closest(rulers.transform_points(np.linalg.inv(moved), truth))
         results[scale] = 1000 * distance.mean()
     assert results[True] < 0.1
     assert 4.9 < results[False] < 5.1
@@ -60,7 +60,7 @@ def test_a_shell_inside_a_shell_is_not_seen(sphere):
     outer, outer_normal, _ = surfaces.sample_surface(sphere.vertices, sphere.faces, 30000, rng=rng)
     inner, inner_normal, _ = surfaces.sample_surface(sphere.vertices * 0.8, sphere.faces, 5000, rng=rng)
     points, normals = np.vstack([outer, inner]), np.vstack([outer_normal, inner_normal])
-    seen = surfaces.seen_from_outside(points, normals, points)
+    seen = surfaces.visible_from_outside(points, normals, points)
     assert seen[:30000].mean() > 0.99
     assert seen[30000:].mean() < 0.01
 
@@ -69,9 +69,9 @@ def test_shifted_square_overlaps_as_calculated():
     first, second = np.zeros((100, 100), bool), np.zeros((100, 100), bool)
     first[20:60, 20:60] = True
     second[20:60, 30:70] = True
-    assert rulers.overlap(first, second) == pytest.approx(30 / 50)
-    assert rulers.overlap(first, first) == 1.0
-    assert rulers.overlap(np.zeros((4, 4), bool), np.zeros((4, 4), bool)) == 1.0
+    assert rulers.mask_iou(first, second) == pytest.approx(30 / 50)
+    assert rulers.mask_iou(first, first) == 1.0
+    assert rulers.mask_iou(np.zeros((4, 4), bool), np.zeros((4, 4), bool)) == 1.0
 
 
 def test_outline_distance_of_a_grown_square_scales_with_the_photo():
@@ -98,7 +98,7 @@ def test_alignment_recovers_turn_shift_and_scale():
     turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
     target = 1.2 * points @ turn.T + [1.0, 2.0, 3.0]
     found = rulers.fit_similarity(points, target, scale=True)
-    assert np.allclose(rulers.apply(found, points), target, atol=1e-12)
+    assert np.allclose(rulers.transform_points(found, points), target, atol=1e-12)
     rigid = rulers.fit_similarity(points, target, scale=False)
     assert np.linalg.det(rigid[:3, :3]) == pytest.approx(1.0)
 

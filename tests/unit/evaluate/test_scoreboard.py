@@ -9,7 +9,7 @@ from cloner.errors import ClonerError
 from cloner.evaluate import scoreboard
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.truths.baselines import generic_clone
-from cloner.evaluate.truths.truth import read_truth, told_height_m
+from cloner.evaluate.truths.truth import given_height_m, read_truth
 from cloner.generic.load import load_generic
 from cloner.records.points import PointSet
 
@@ -37,7 +37,7 @@ def test_rows_have_the_promised_form(samples, tmp_path, monkeypatch):
         order.append(("truth", path.name, 0))
         return read_truth(path, set_name)
 
-    monkeypatch.setattr(scoreboard, "clone_apart", clone)
+    monkeypatch.setattr(scoreboard, "clone_in_process", clone)
     monkeypatch.setattr(scoreboard, "read_truth", read)
     rows = scoreboard.evaluate_visitors([samples / "anna"], ["plain"], tmp_path)
     # every clone exists before any truth is read; the neighbour is cloned for comparison only
@@ -86,4 +86,4 @@ def test_truth_of_both_kinds_is_read_in_our_frame(samples):
         assert np.linalg.norm(seen - view.marks_px["nose_tip"]) < 2.0, "the half pixel is taken off once"
         row, column = np.round(seen[::-1]).astype(int)
         assert view.mask[row, column]
-    assert told_height_m(samples / "boris") == 1.75
+    assert given_height_m(samples / "boris") == 1.75

@@ -8,7 +8,7 @@ import pytest
 from cloner.evaluate import scores
 from cloner.evaluate.figures.skins import skin_triangles
 from cloner.evaluate.measures.posing import JOINTS, pose_clone
-from cloner.evaluate.measures.rulers import apply
+from cloner.evaluate.measures.rulers import transform_points
 from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.truths.baselines import generic_clone
@@ -158,4 +158,4 @@ def test_outlines_proposals_and_effort_have_their_rows(clone, truth):
 
 def test_moved_truth_is_where_the_camera_stands(truth, clone):
     front = pose_clone(clone, load_generic(), clone.views[ViewId.BODY_FRONT].rotations)
-    assert np.allclose(apply(TRUTH_FROM_MODEL, front.joints_m)[0], front.moved(TRUTH_FROM_MODEL).joints_m[0])
+    assert np.allclose(transform_points(TRUTH_FROM_MODEL, front.joints_m)[0], front.moved(TRUTH_FROM_MODEL).joints_m[0])

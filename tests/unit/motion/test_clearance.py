@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.evaluate.measures.crossings import buried_depths, self_crossings
+from cloner.evaluate.measures.crossings import buried_depths, self_intersections
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
@@ -55,7 +55,7 @@ def test_no_forearm_or_hand_lies_in_the_trunk(factor):
     arms = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in segments])
     for rotations in (hanging_pose(body), walk(body).rotations[0], walk(body).rotations[8]):
         points = posed(clone, rotations)
-        depths = buried_depths(points, skin_only(), self_crossings(points, skin_only()))
+        depths = buried_depths(points, skin_only(), self_intersections(points, skin_only()))
         # fingers of one hand touch each other
         assert depths[arms & ~generic.region("hand_left") & ~generic.region("hand_right")].max() < 0.003
 
@@ -75,14 +75,14 @@ def test_wide_trouser_legs_stand_apart_and_slim_ones_straight():
         assert 0.1 < heels[0] - heels[1] < most_m
         thighs = [generic.segment_names.index(f"{side}_thigh") for side in ("left", "right")]
         legs = skin_only()[np.isin(generic.vertex_segment[skin_only()], thighs).all(axis=1)]
-        assert buried_depths(points, legs, self_crossings(points, legs)).max() < 0.001, "they may touch"
+        assert buried_depths(points, legs, self_intersections(points, legs)).max() < 0.001, "they may touch"
 
 
 def test_rest_and_t_pose_cross_nothing_but_closed_lips():
     generic, clone = load_generic(), widened(1.0)
     for rotations in (np.zeros((94, 3)), t_pose(body_of(clone))):
         points = posed(clone, rotations)
-        found = self_crossings(points, skin_only())
+        found = self_intersections(points, skin_only())
         mouth = (generic.region("lips") | generic.region("mouth_interior"))[skin_only()].any(axis=1)
         toes = (generic.region("foot_left") | generic.region("foot_right"))[skin_only()].any(axis=1)
         elsewhere = ~(mouth | toes)[found.pairs].all(axis=1)

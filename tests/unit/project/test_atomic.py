@@ -48,7 +48,7 @@ def test_failure_leaves_nothing_not_even_the_folder_it_made(tmp_path: Path, erro
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("call", ["mkdir", "sweep", "lock"])
+@pytest.mark.parametrize("call", ["mkdir", "recover", "lock"])
 def test_a_request_to_end_while_the_folder_is_made_leaves_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: str
 ) -> None:

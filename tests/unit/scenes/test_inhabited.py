@@ -14,7 +14,7 @@ from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
 from cloner.crowd.packs.still import Painter
-from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.packs.told import find_invalid
 from cloner.crowd.staged.eye import Eye
 from cloner.crowd.staged.footing import rows_at
 from cloner.crowd.staged.rooms import glow_of
@@ -156,7 +156,7 @@ def test_damage_is_told_in_one_sentence(
         check_pack(pack)
     facts = read_facts(built)
     facts["room"]["shape"] = [1, 2]
-    assert why_unfit(facts) == "room.shape"
+    assert find_invalid(facts) == "room.shape"
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")

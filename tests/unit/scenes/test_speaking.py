@@ -11,7 +11,7 @@ import pytest
 from scipy.io import wavfile
 
 from cloner.crowd.clones.faces import TARGETS
-from cloner.crowd.staged.faces import MOST_AT_ONCE, Said, Spoken
+from cloner.crowd.staged.faces import MOST_AT_ONCE, SpeechTrack, Utterance
 from cloner.crowd.staged.footing import COLUMNS, FEELS, FROM, LAST, UNTIL, Acted, felt_at
 from cloner.errors import ClonerError
 from cloner.scenes.films.hearing import RATE_HZ, Source, heard
@@ -47,7 +47,7 @@ def test_lips_meet_when_phonemes_say_so_and_a_sound_is_kept(folder: Path) -> Non
 def test_a_mouth_is_between_two_rows_and_still_before_and_after() -> None:
     weights = np.zeros((3, 20), np.float32)
     weights[1, TARGETS.index("viseme_aa")] = 1.0
-    spoken = Spoken(weights, (Said(4, 1.0, 0, 3, ""),))
+    spoken = SpeechTrack(weights, (Utterance(4, 1.0, 0, 3, ""),))
     assert spoken.faces(0.99)[0] == spoken.faces(1.08)[0] == []
     who, rows = spoken.faces(1.0 + 0.5 / 30.0)
     assert who == [4]

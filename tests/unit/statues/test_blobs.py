@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.telling import Told
+from cloner.bodies.telling import BodySpecification
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
@@ -20,7 +20,7 @@ from cloner.picture import load_clone_at
 from cloner.project.results import is_result
 from cloner.statues.blob_bodies import blob_folder, blobs_file, clone_of_blobs
 from cloner.statues.blobs import LEVEL, Blob, field_of, read_blobs, written_blobs
-from cloner.statues.envelope import enveloped
+from cloner.statues.envelope import fit_to_blobs
 from cloner.statues.usual_blobs import usual_blobs
 from kit.crowds import dressed_toy, saved
 
@@ -29,7 +29,7 @@ SOLDIER = Path(__file__).resolve().parents[3] / "samples" / "soldier.blobs.json"
 
 @pytest.fixture(scope="module")
 def man():
-    return clone_of_measures(Told("m", 1.75, {}), 512)
+    return clone_of_measures(BodySpecification("m", 1.75, {}), 512)
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +61,7 @@ def test_blobs_melt_together(man) -> None:
 
 
 def test_usual_blobs_make_the_body_they_were_taken_from(man, blobs) -> None:
-    found = enveloped(man.vertices_m, man.joints_m, field_of(blobs, man.joints_m))
+    found = fit_to_blobs(man.vertices_m, man.joints_m, field_of(blobs, man.joints_m))
     laid = np.isfinite(found.off_m)
     moved = np.linalg.norm(found.vertices_m - man.vertices_m, axis=1)[laid]
     assert moved.mean() < 0.005
@@ -80,8 +80,8 @@ def test_the_skin_lies_on_the_surface_and_head_hands_and_feet_stay(man, blobs) -
     grown = [replace(blob, off_m=tuple((x, y, z + 0.03) for x, y, z in blob.off_m)) if blob.name == "belly" else blob
              for blob in blobs]  # fmt: skip
     field = field_of(grown, man.joints_m)
-    found = enveloped(man.vertices_m, man.joints_m, field)
-    before = enveloped(man.vertices_m, man.joints_m, field_of(blobs, man.joints_m))
+    found = fit_to_blobs(man.vertices_m, man.joints_m, field)
+    before = fit_to_blobs(man.vertices_m, man.joints_m, field_of(blobs, man.joints_m))
     belly = generic.feature("belly_front")
     ahead = found.vertices_m[belly, 2] - before.vertices_m[belly, 2]
     assert 0.01 < ahead < 0.035

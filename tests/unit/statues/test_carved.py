@@ -10,7 +10,7 @@ import pygltflib
 import pytest
 
 from cloner.bodies.undressed import undressed_clone
-from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.cast import make_crowd_clone
 from cloner.crowd.clones.groups import WORN
 from cloner.crowd.clones.levels import body_levels
 from cloner.errors import ClonerError
@@ -24,7 +24,7 @@ from cloner.records.clones import Clone
 from cloner.statues.carved import statue_of
 from cloner.statues.eyes import DRILLED
 from cloner.statues.materials import MATERIALS
-from cloner.statues.noise import Block
+from cloner.statues.noise import MaterialBlock
 from cloner.statues.relief import detail, hollows
 from kit.clones import RED_LEFT_HAND
 from kit.crowds import dressed_toy
@@ -155,7 +155,7 @@ def test_shine_outlives_the_file(person: Clone, tmp_path) -> None:
 
 def test_a_crowd_dyes_no_statue(person: Clone) -> None:
     clone = statue_of(person, "clay")
-    cast = cast_of("clay", centre_joints(clone), body_levels(), poses=8)
+    cast = make_crowd_clone("clay", centre_joints(clone), body_levels(), poses=8)
     assert not set(cast.looks) & set(WORN)
 
 
@@ -195,14 +195,14 @@ def test_detail_is_blind_to_tone() -> None:
 
 def test_blocks_are_even_and_pores_whole() -> None:
     places = np.random.default_rng(3).uniform(-1.0, 2.0, (60_000, 3))
-    values = Block(1).waves(places, (0.004, 0.05))
+    values = MaterialBlock(1).waves(places, (0.004, 0.05))
     assert values.mean() == pytest.approx(0.0, abs=0.05)
     assert values.std() == pytest.approx(1.0, abs=0.05)
-    assert not np.allclose(values, Block(2).waves(places, (0.004, 0.05)))
-    pores = Block(1).pores(places, 0.01, 0.4)
+    assert not np.allclose(values, MaterialBlock(2).waves(places, (0.004, 0.05)))
+    pores = MaterialBlock(1).pores(places, 0.01, 0.4)
     assert 0.005 < (pores > 0.0).mean() < 0.05
     steps = np.linspace(0.0, 1.0, 200_001)[:, None] * [0.3, 0.2, 0.1] + [0.1, 0.2, 0.3]
-    along = Block(1).pores(steps, 0.01, 1.0)
+    along = MaterialBlock(1).pores(steps, 0.01, 1.0)
     assert np.abs(np.diff(along)).max() < 0.01  # none is cut off at its cell's side
 
 

@@ -16,7 +16,7 @@ from cloner.render import draw
 from cloner.statues import photo_fit
 from cloner.statues.markers import MARKED, known_points
 from cloner.statues.photo_fit import fit_markers, fit_photo, focal_px_of, mark
-from cloner.statues.photographed import mesh_of, photographed
+from cloner.statues.photographed import clone_with_photo, mesh_of
 from kit.clones import toy_clone
 
 WIDE, HIGH = 600, 800
@@ -157,7 +157,7 @@ def test_the_same_photo_gives_the_same_texture(sitter, fitted, vertex) -> None:
 def test_the_fitted_clone_keeps_round_eyes_and_a_face_that_moves(fitted) -> None:
     from cloner.paint.details.parts import fit_sphere
 
-    generic, clone = load_generic(), photographed(toy_clone(hair=False), fitted)
+    generic, clone = load_generic(), clone_with_photo(toy_clone(hair=False), fitted)
     for side in ("left", "right"):
         rows = generic.part(f"eye_{side}")
         centre, radius = fit_sphere(clone.vertices_m[rows])
