@@ -1,4 +1,4 @@
-"""What stands in a scenario's way, as plain blocks: a plan tells no heights, so these are taste.
+"""A scenario's obstacles as plain blocks, with heights by taste since a plan has none.
 
 What holds a thing is its plinth, what is slim a pillar, all else is as high as a counter; a thing is a slim block.
 """

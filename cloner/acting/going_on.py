@@ -1,4 +1,4 @@
-"""A scenario that a page goes on with by itself: its beginning as numbers, and the engine that reads them."""
+"""A scenario that a page continues by itself: its initial state as numbers, and the engine that reads them."""
 
 from __future__ import annotations
 

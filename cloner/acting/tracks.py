@@ -1,4 +1,4 @@
-"""What somebody is to do, ten times a second, in a page's frame; and the footings that the engine makes of it."""
+"""Tracks of people, ten times a second, in a page's frame, and the footings that the engine computes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A scenario's beginning as numbers, so that another host of the engine goes on from it to the same steps."""
+"""A scenario's initial state as numbers, so that another host of the engine computes the same steps."""
 
 from __future__ import annotations
 

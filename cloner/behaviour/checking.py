@@ -1,4 +1,4 @@
-"""Say what is wrong with a scenario before anybody walks: names, numbers, places. The same for text and Python."""
+"""Validation of scenarios before they run: names, numbers, places; the same for text and Python."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Random numbers that depend on seed, purpose and person alone: never on the order in which they are asked for.
+"""Random numbers by seed, purpose and person, independent of the order of requests.
 
 SplitMix64 (Steele, Lea, Flood 2014) used as a hash of a counter: 64-bit integers only, so a page's core gives the same.
 """

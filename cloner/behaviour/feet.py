@@ -1,4 +1,4 @@
-"""Everybody's feet: the engine tells what bodies do as footings (`core/feet/`), which whoever shows people goes by.
+"""Footsteps: the engine reports bodies' motion as footings (`core/feet/`).
 
 A footing is the time in which one foot carries; its numbers are those of `cloner.crowd.staged.footing`.
 """

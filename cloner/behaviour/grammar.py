@@ -1,4 +1,4 @@
-"""The scenario language's grammar (lark, LALR) and how its words are called in an error."""
+"""Grammar of the scenario language (lark, LALR), and names of its tokens in errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The walkable world: floors less obstacles as walls and as a raster.
+"""The walkable world: floors without obstacles, as walls and as a raster.
 
 Frame: metres on the floor, x to the right and y up on the plan; a scene's (x, z) are the plan's (x, y).
 Plain float64 with + - * / and square roots, so that another machine makes the same tables.

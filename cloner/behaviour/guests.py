@@ -1,4 +1,4 @@
-"""People from outside, as who walks along in a page: seen, avoided and reacted to, but moved by nobody in the engine.
+"""People controlled from outside: seen, avoided and reacted to, but not moved by the engine.
 
 A scenario says how many may come: ``crowd 4 guests: from outside``.
 """

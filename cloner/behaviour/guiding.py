@@ -1,4 +1,4 @@
-"""A running scenario guided from another program: JSON over a WebSocket of this machine, for who knows the token.
+"""Control of a running scenario by another program: JSON over a local WebSocket with a token.
 
 The loop alone touches the world. Each guide has a thread of its own, which hands orders to the loop and waits for what
 it says; an order is obeyed in the next step, above reactions and script.

@@ -1,4 +1,4 @@
-"""Who is in a scenario at its beginning: feelings, speeds and domination by chance, groups and who leads them."""
+"""Initial state of a scenario's people: emotions, speeds and dominance by chance, groups and leaders."""
 
 from __future__ import annotations
 

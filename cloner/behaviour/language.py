@@ -1,4 +1,4 @@
-"""Read a scenario's text: the records of `model`, or one sentence with line, column and what was expected."""
+"""Parser of the scenario language: records of `model`, or one error with line, column and what was expected."""
 
 from __future__ import annotations
 

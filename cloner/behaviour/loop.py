@@ -1,4 +1,4 @@
-"""The agents' loop, a step at a time: the engine updates the scene; all perceive and select; then all execute."""
+"""The simulation loop: the engine updates the scene; all agents perceive and select; then all execute."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a scenario says: the same records whether it was written in the language or made in Python.
+"""The records of a scenario, written in the language or made in Python.
 
 Places are metres on the plan (`ground`); times seconds; emotions' values and likings 0..1. Names are plain words; one
 that came from a text also carries ``line`` and ``column``, so that a wrong one can be shown.

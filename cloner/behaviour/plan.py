@@ -1,4 +1,4 @@
-"""A running scenario drawn from above: floors, obstacles, points, things, and people in their emotions' colours."""
+"""A running scenario drawn from above: floors, obstacles, points, things, and people coloured by emotion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A scenario as tables of numbers, which the engine reads (`core/minds/state.ts`): names become places in lists."""
+"""A scenario as numeric tables for the engine (`core/minds/state.ts`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happened in a running scenario, put into words: the engine tells rows of numbers (`core/minds/told.ts`)."""
+"""Events of a running scenario in words, from the engine's rows (`core/minds/told.ts`)."""
 
 from __future__ import annotations
 

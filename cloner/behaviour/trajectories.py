@@ -1,4 +1,4 @@
-"""Trajectories at 10 Hz as one file: places to 2 mm, facing to 1.4 degrees, postures and emotions; and their reader.
+"""Trajectories at 10 Hz in one file: positions to 2 mm, heading to 1.4 degrees, postures and emotions.
 
 Places are second differences of int16, so that whoever walks evenly costs nothing; low and high bytes lie apart and are
 deflated. Measured on other walkers (walkers §2): 10.2 bytes a person and second with gzip, 1 mm by a spline.

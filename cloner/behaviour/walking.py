@@ -1,4 +1,4 @@
-"""Everybody's feet: the rows of the core (`core/`), which lets .05 s pass with each call of `walk`."""
+"""Locomotion: the engine's rows of bodies (`core/`), advanced by .05 s with each call of `walk`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A running scenario: its ground and tables in the engine's memory, and what is true there by name.
+"""A running scenario: its ground and tables in the engine's memory, and its state by name.
 
 Everything that moves is in the engine (`core/`): Python lays out the beginning, passes orders on, and looks.
 """

@@ -1,4 +1,4 @@
-"""The commands ``cloner crowd check``, ``run`` and ``guide``: a scenario's file in, lines and files out."""
+"""The commands ``cloner crowd check``, ``run`` and ``guide``."""
 
 from __future__ import annotations
 

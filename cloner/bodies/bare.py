@@ -1,4 +1,4 @@
-"""Which of a clone's skin is bare: the person's own surface and colour, as photos showed them."""
+"""Bare skin of a clone: the person's own surface and colour in the photos."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What girls and boys of 4 to 18 years are like: ``children.npz``, made by ``generic_models/build/build_children.py``.
+"""Body statistics of children of 4 to 18 years: ``children.npz``, made by ``generic_models/build/build_children.py``.
 
 Their bodies and measures are those of the family's children (CC0), their statures a public survey's: no public table
 of all a tailor's measures of children was at hand.

@@ -1,4 +1,4 @@
-"""The generic family with its head frozen: what stands above the neck never follows a tape."""
+"""The generic body family with a fixed head, which never follows a tape measure."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A body as a clone: with a face that moves, a texture, and its measures."""
+"""A body as a clone: with an animated face, a texture, and its measures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What people measure: for adults the shipped family's table, moved to the means and spreads of a public survey.
+"""Population statistics of measures: for adults the shipped table, adjusted to a public survey.
 
 The family (``measures.npz``, from CC0 data) knows how measures go together; its women and men are slimmer than people.
 So the measures that the survey has are given the survey's mean and spread, and all others follow (Jeffrey's rule on a

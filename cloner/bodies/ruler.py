@@ -1,4 +1,4 @@
-"""The product's tape on a body that is being made, and how each reading follows the body's modes."""
+"""Measures of a body under construction, and their derivatives by the body's modes."""
 
 from __future__ import annotations
 

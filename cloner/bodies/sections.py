@@ -1,4 +1,4 @@
-"""Fields that widen a trunk by one metre outward at most: the source's three ways for breast, waist and hips.
+"""Displacement fields for breast, waist, hips and limbs, after the source.
 
 Seo's "volumetric deformation" (the heritage tutorial): the breast is a grid of 20 rows with 23 stations, each row a
 closed curve that stays round; the waist the same with Bézier curves; the hips a free-form deformation. The source

@@ -1,4 +1,4 @@
-"""What a body is painted with that no photo shows: one tone of skin, short hair, brows, lips, and underwear.
+"""Plain texture of a body without photos: skin tone, short hair, brows, lips, and underwear.
 
 Children wear a shirt and shorts.
 """

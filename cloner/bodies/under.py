@@ -1,4 +1,4 @@
-"""The body under the clothes: the family's body that shows the same bare skin, bones and girths, and no folds."""
+"""The body under clothes: the family's body with the same bare skin, bones and girths."""
 
 from __future__ import annotations
 

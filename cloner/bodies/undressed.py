@@ -1,4 +1,4 @@
-"""A clone without its clothes: the body under them, its own skin carried on, in neutral underwear."""
+"""A clone without its clothes: the estimated body in its own skin, in neutral underwear."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A body as a result: a folder like any clone's, which appears whole or not at all."""
+"""A body as a result folder, written atomically."""
 
 from __future__ import annotations
 

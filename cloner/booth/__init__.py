@@ -1,1 +1,1 @@
-"""A day at a booth: one folder for the event, one inside it for every visitor. All its rules, and no window."""
+"""The booth's rules without its window: an event's folder, with one folder for every visitor."""

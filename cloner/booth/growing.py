@@ -1,4 +1,4 @@
-"""What the body looks like while it is cloned: positions alone, small enough to be sent after every stage."""
+"""The body while it is cloned: vertex positions alone, small enough to be sent after every stage."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An event's visitors in a scene: whose finished clones come into it, and which number the staff types."""
+"""An event's visitors in a scene: whose finished clones take part, and the number that the staff types."""
 
 from __future__ import annotations
 

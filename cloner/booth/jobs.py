@@ -1,4 +1,4 @@
-"""The long jobs of the window, as one object that lives in a worker's process and remembers what the nets said."""
+"""Long jobs of the window, as one object in a worker process that caches the nets' results."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A visitor read from its folder: everything the window shows, and nothing the window has to work out."""
+"""A visitor read from its folder: everything that the window shows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What visitors see on a screen of their own: clones of who agreed to it, and who is next, by first name or number."""
+"""The visitors' screen: clones of those who agreed, and who is next, by first name or number."""
 
 from __future__ import annotations
 

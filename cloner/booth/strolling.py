@@ -1,4 +1,4 @@
-"""Visitors' clones walking by: pictures of one walk, seen through, of whom the visitors' screen makes the day's crowd.
+"""Walking clones for the visitors' screen: transparent pictures of one walk cycle.
 
 They lie in the visitor's own folder and go with it: nobody is in the crowd who was forgotten.
 """

@@ -1,4 +1,4 @@
-"""A process of its own for long jobs: the window's thread never waits for Python's lock, and a job ends at once.
+"""A worker process for long jobs: the window's thread never waits for the interpreter lock, and a job ends at once.
 
 The caller's side blocks in `Worker.call`, on a thread of its own. Both sides speak tuples over a pipe: the caller sends
 (method, arguments), the worker answers ("progress", step, fraction), ("shown", value), ("log", level, logger, text) and

@@ -1,1 +1,1 @@
-"""Garments: drafted from a clone's measures, sewn, and moved on the walking clone."""
+"""Garments: drafted from a clone's measures, sewn, and simulated on the walking clone."""

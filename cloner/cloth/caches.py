@@ -1,4 +1,4 @@
-"""A garment's moving points for other programs: PC2 beside an OBJ, USD with a time sample a frame, and VAT.
+"""Point caches of a simulated garment: PC2 with OBJ, USD with a time sample per frame, and VAT.
 
 References
 ----------

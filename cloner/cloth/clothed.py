@@ -1,4 +1,4 @@
-"""A dressed clone as a result of its own: its garments are a shell as a photographed skirt is, their flow lies beside.
+"""A dressed clone as a result of its own: its garments are a shell, their motion is stored beside it.
 
 Every program that shows clones shows it dressed; crowds let the cloth flow (`cloner.crowd.clones.flowing`).
 """

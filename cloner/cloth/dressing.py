@@ -1,4 +1,4 @@
-"""A clone that is dressed: the garment found or drafted, put on, moved with a walk, and closed to a loop."""
+"""Dressing of a clone: the garment is found or drafted, put on, simulated in a walk, and closed to a loop."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clothes of MakeHuman's community, the user's own files, fitted by their rows: ``cloner dress --garment shirt.mhclo``.
+"""Garments of MakeHuman's community (``.mhclo``), fitted to a clone: ``cloner dress --garment shirt.mhclo``.
 
 Every vertex of such a garment lies beside three vertices of MakeHuman's base mesh, its offset scaled by three spans of
 the body. The product's skin is that mesh; its helpers (where tights and skirts lie) stand beside the clone's skin. What

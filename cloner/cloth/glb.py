@@ -1,4 +1,4 @@
-"""A dressed clone as a GLB: the garment has one morph target a frame, skin deep under it is masked."""
+"""A dressed clone as GLB: one morph target per frame, with covered skin masked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Frames of a simulation kept beside what is written, so that one that was stopped goes on where it was."""
+"""Checkpoints of a simulation, so that one that was stopped can continue."""
 
 from __future__ import annotations
 

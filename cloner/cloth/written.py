@@ -1,4 +1,4 @@
-"""A dressed clone as a file: a GLB whose garment moves with the walk, a film that repeats, or a cache of points."""
+"""A dressed clone as a file: a GLB whose garment moves, a looping film, or a point cache."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The command line's commands: what each is asked and what it says; the work lies in the rooms."""
+"""The commands of the command line: their options and messages; the work is done in the rooms."""

@@ -1,4 +1,4 @@
-"""``cloner list``, ``export-data``, ``forget``: what is held of whom."""
+"""``cloner list``, ``export-data``, ``forget``: personal data."""
 
 from __future__ import annotations
 

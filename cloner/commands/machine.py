@@ -1,4 +1,4 @@
-"""``cloner gui``, ``doctor``, ``cluster``, ``evaluate``: this machine, others, and how good clones are."""
+"""``cloner gui``, ``doctor``, ``cluster``, ``evaluate``: the window, this machine, a cluster, and evaluation."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Thousands of clones at once: packs for engines, a player for browsers, stills and films."""
+"""Crowds of thousands of clones: packs for engines, a browser player, stills and films."""

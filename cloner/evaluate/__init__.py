@@ -1,4 +1,4 @@
-"""Scoring finished clones of visitors whose truth is known; nothing here feeds a clone."""
+"""Scoring of finished clones against known truth; nothing here feeds a clone."""
 
 from cloner.evaluate.scoreboard import evaluate_visitors, format_table
 

@@ -1,4 +1,4 @@
-"""What no faster code could leave out of a clone: photos decoded, nets asked, pictures encoded.
+"""The unavoidable work of a clone: decoding photos, running the nets, encoding pictures.
 
 Masks, labels and everything after are not in it. Until 22 November 2026 it held the whole stage "proposals" instead of
 the nets, and of the pictures only the atlas (and, in ``make bench``, the shells).

@@ -1,4 +1,4 @@
-"""Clone people of the generator and score the clones: rows of the other visitors, labels, parts and refusals."""
+"""Cloning and scoring of people of the generator: the usual rows, labels, parts and refusals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Figures as rows, and the held-out pictures beside them."""
+"""Scores as rows, and held-out pictures."""
 
 from __future__ import annotations
 

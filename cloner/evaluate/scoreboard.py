@@ -1,4 +1,4 @@
-"""Clone visitors whose truth is known and print one row a figure, beside two baselines."""
+"""Cloning and scoring of visitors with known truth: one row per figure, beside two baselines."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""One module a file format; ``table`` lists them."""
+"""Exporters, one module per file format; ``table`` lists them."""

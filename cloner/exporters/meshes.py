@@ -1,4 +1,4 @@
-"""Write a clone's resting surface as OBJ or PLY: no skeleton, no morph targets."""
+"""OBJ and PLY of a clone at rest: no skeleton, no morph targets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The formats a clone can leave in; each row's ``export`` loads on first use.
+"""The export formats; each row's ``export`` loads on first use.
 
 ``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
 files and returns their paths. ``small`` is a packed glTF, ``lods`` one with coarser levels, ``mixamo`` one with

@@ -1,4 +1,4 @@
-"""Write a clone as USDZ: skeleton, skin, face targets and an idle in one file that iPhones and iPads open in the room.
+"""USDZ: skeleton, skin, face targets and an idle in one file for AR on iPhones and iPads.
 
 Phones take only binary layers, which the maintained library writes; it is an extra (``pip install photo-cloner[usd]``).
 Metres, +Y up, facing +Z.

@@ -1,1 +1,1 @@
-"""Machines, ours and others: what is lacking, processes, a cluster and its certificates."""
+"""Machines: requirements, worker processes, a cluster and its certificates."""

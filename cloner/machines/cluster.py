@@ -1,4 +1,4 @@
-"""Visitors on the machines of a Dask cluster that runs already. Only home of dask.
+"""Batches on a running Dask cluster; the only module that uses dask.
 
 Whoever may speak to a Dask scheduler may run any code on its machines: the default is therefore TLS with certificates
 on both sides (`cloner.machines.cluster_keys` makes them). Names of tasks are numbers by chance: a cluster's pages and

@@ -1,4 +1,4 @@
-"""Certificates of a cluster: one authority for one folder, whose own key is thrown away, and a pair for each role.
+"""Certificates of a cluster: one authority per folder, whose private key is discarded, and a key pair for each role.
 
 Only who holds a pair of the folder may speak with a scheduler, a worker or a client that was started with it, and only
 encrypted. The authority's key is never written: nobody can make further certificates for the same cluster.

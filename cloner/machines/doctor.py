@@ -1,4 +1,4 @@
-"""What this machine lacks, and the one line that mends it."""
+"""Missing requirements of this machine, and the command that installs each."""
 
 from __future__ import annotations
 

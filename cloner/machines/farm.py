@@ -1,4 +1,4 @@
-"""Many visitors on many processes of this machine: plain children, spoken to over pipes. No port, no socket file.
+"""Batches on many processes of this machine: child processes over pipes, without ports or socket files.
 
 A visitor is one task. A worker that dies (crash, memory, or the watchdog that ends a hang) costs its visitor one try
 and nobody else anything: another worker is started and the task given again. A worker that dies before it has begun

@@ -1,4 +1,4 @@
-"""Who else on this machine may read, change or delete what lies in a folder."""
+"""Other users of this machine who may read, change or delete files in a folder."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Captures read and laid on clones, a walk and an idle of our own, feet that stay where they stand."""
+"""Motion: captures retargeted to clones, procedural walk and idle, foot planting, faces."""

@@ -1,1 +1,1 @@
-"""Whose data is held where, handed out or forgotten."""
+"""Personal data: where it is held, its export and its deletion."""

@@ -1,4 +1,4 @@
-"""What is held of whom below a root of photos and a folder of results.
+"""Whose data is held below a root of photos and a folder of results.
 
 Photos and results belong together by what a result's manifest says it was made from, whatever they are called.
 """

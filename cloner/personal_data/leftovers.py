@@ -1,4 +1,4 @@
-"""What still tells of a visitor below some folders: copies, renamed photos, derived files, names in texts, packs.
+"""Remaining traces of a visitor below some folders: copies, renamed photos, derived files, names in texts, packs.
 
 Everything is looked at, hidden folders and what links lead to as well; nothing is changed.
 """

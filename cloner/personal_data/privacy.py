@@ -1,4 +1,4 @@
-"""What is held of a visitor, handed out or forgotten.
+"""Listing, export and deletion of a visitor's data.
 
 Of a visitor there are the photo folder (with what was typed and corrected), the result folders, what killed runs left
 of them, and a row in each batch summary. Packs of crowds, and films of them, show them

@@ -1,1 +1,1 @@
-"""The project folder: photos, corrections, results; the only part that knows paths."""
+"""The project folder: photos, corrections, results; the only room that knows paths."""

@@ -1,4 +1,4 @@
-"""Keep a finished clone without loss: ``clone.npz`` beside the exported files."""
+"""Lossless storage of a clone: ``clone.npz`` beside the exported files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Operator corrections: pure edits, and JSON in and out."""
+"""Operator corrections: pure edits, and JSON."""
 
 from __future__ import annotations
 

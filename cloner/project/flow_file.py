@@ -1,4 +1,4 @@
-"""Keep how a clone's cloth flows: ``cloth.npz`` beside ``clone.npz``."""
+"""Storage of a clone's cloth motion: ``cloth.npz`` beside ``clone.npz``."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A person's folder: photos, what is known of the person, and corrections."""
+"""A person's folder: photos, personal facts, and corrections."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A lock file that dies with the process that holds it, on every system."""
+"""A lock file that is released when its process dies, on every system."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Who is to be cloned: the folders below a root, or the rows of a CSV or TOML manifest."""
+"""The visitors of a batch: folders below a root, or rows of a CSV or TOML manifest."""
 
 from __future__ import annotations
 

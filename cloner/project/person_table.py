@@ -1,4 +1,4 @@
-"""``person.toml`` as a checked table, and what its keys say."""
+"""``person.toml`` as a validated table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a result is: a folder whose manifest lists everything in it, and the digests that tell its visitor.
+"""Result folders: a manifest that lists everything in them, and digests that identify the visitor.
 
 Nothing is taken for a result, replaced or deleted because of one file's name: a folder with a photo to clone from, or
 with any file that its manifest does not list, belongs to somebody.

@@ -1,4 +1,4 @@
-"""Tape measures that an operator took, checked before they are believed."""
+"""Tape measures of an operator, validated."""
 
 from __future__ import annotations
 

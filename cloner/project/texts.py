@@ -1,4 +1,4 @@
-"""Small text files that somebody else wrote: read with care."""
+"""Small text files of unknown origin, read with limits."""
 
 from __future__ import annotations
 

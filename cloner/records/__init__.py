@@ -1,1 +1,1 @@
-"""Frozen values that stages take and give; no algorithms, no files."""
+"""Frozen records that stages take and give; no algorithms, no files."""

@@ -1,4 +1,4 @@
-"""What modules call an array, checks that make arrays inside frozen records truly immutable, and how records travel."""
+"""Array types, checks and immutability of frozen records."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What became of the visitors of a batch."""
+"""Results of a batch, one row per visitor."""
 
 from __future__ import annotations
 

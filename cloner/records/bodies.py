@@ -1,4 +1,4 @@
-"""Bodies, skeletons and the pose each photo shows them in."""
+"""Bodies, skeletons, and the pose in each photo."""
 
 from __future__ import annotations
 

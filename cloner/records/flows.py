@@ -1,4 +1,4 @@
-"""Cloth that flows over a clone while it walks: a closed loop of places."""
+"""Simulated cloth motion of a clone's walk, as a closed loop."""
 
 from __future__ import annotations
 

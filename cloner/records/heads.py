@@ -1,4 +1,4 @@
-"""The fitted head and the hair that lies on it."""
+"""The fitted head, and shells."""
 
 from __future__ import annotations
 

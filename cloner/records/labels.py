@@ -1,4 +1,4 @@
-"""What a photo's pixel shows: the classes of a label picture."""
+"""Classes of a label image."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Loose clothing seen in a photo: cloth that bridges what the body has apart."""
+"""Loose clothing in a photo: cloth that fills the gap between the legs."""
 
 from __future__ import annotations
 

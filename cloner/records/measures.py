@@ -1,4 +1,4 @@
-"""Measures of a body by name, and what covers it where."""
+"""Measures of a body by name, and which parts are covered by cloth."""
 
 from __future__ import annotations
 

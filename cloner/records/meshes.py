@@ -1,4 +1,4 @@
-"""Surfaces that photographs are laid on."""
+"""Meshes for photographs."""
 
 from __future__ import annotations
 

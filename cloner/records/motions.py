@@ -1,4 +1,4 @@
-"""How a body moves: one rotation a joint and frame, and weights of the face's targets."""
+"""A motion: one rotation per joint and frame, and weights of face targets."""
 
 from __future__ import annotations
 

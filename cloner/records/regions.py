@@ -1,4 +1,4 @@
-"""What each part of a clone's surface is: skin, hair, eyes, clothes, shoes."""
+"""Regions of a clone's surface: skin, hair, eyes, clothes, shoes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a stage hands back besides its value."""
+"""Results of a stage: values, residuals, warnings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a person allows others to do with the own likeness."""
+"""What a person allows others to do with their likeness."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Rooms to walk in: a plan becomes meshes, light maps and probes, and clones act in it."""
+"""Rooms: a plan becomes meshes, light maps and probes, and clones act in it."""

@@ -1,4 +1,4 @@
-"""The command ``cloner scene film``: lines, a lit room and a pack of clones become a film, pictures, or a page."""
+"""The command ``cloner scene film``: a script, a lit room and a pack of clones become a film, pictures, or a page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command ``cloner scene build``: a lit room, what people do in it, and a pack of clones become one page."""
+"""The command ``cloner scene build``: a lit room, a scenario and a pack of clones become one page."""
 
 from __future__ import annotations
 

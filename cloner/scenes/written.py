@@ -1,4 +1,4 @@
-"""The commands ``cloner scene make`` and ``light``: a plan in, a folder with a room, its light and its probes out."""
+"""The commands ``cloner scene make`` and ``light``: from a plan to a folder with a room, its light and its probes."""
 
 from __future__ import annotations
 

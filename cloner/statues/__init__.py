@@ -1,1 +1,1 @@
-"""Statues: clones in stone, photographs of statues laid on meshes, bodies of blobs, heads of clay."""
+"""Statues: clones in stone, photographs fitted to meshes, bodies of blobs, clay heads."""

@@ -1,4 +1,4 @@
-"""Bodies of blobs as results, and the blobs of a body as a file to edit."""
+"""Bodies of blobs as results, and the blobs of a body as an editable file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A clone in stone: one material all over, the face's relief kept, still rigged."""
+"""A clone in stone: one material, facial relief kept, still rigged."""
 
 from __future__ import annotations
 

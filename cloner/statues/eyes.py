@@ -1,4 +1,4 @@
-"""Eyes as sculptors carve them: a groove round the iris, a drilled pupil, no lashes."""
+"""Carved eyes: a groove around the iris, a drilled pupil, no lashes."""
 
 from __future__ import annotations
 

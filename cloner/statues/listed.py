@@ -1,4 +1,4 @@
-"""Files of statues that people write by hand: JSON with a format and one list."""
+"""JSON files of statues that people write by hand: a format and one list."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Markers: which vertex of a mesh is where in a photograph, as JSON.
+"""Markers: vertices of a mesh with their pixels in a photograph, as JSON.
 
 ::
 

@@ -1,4 +1,4 @@
-"""What statues are made of: colour and shine of stone, clay, bronze and marble at any place of a block.
+"""Materials of statues: colour and shine of stone, clay, bronze and marble.
 
 All colours and shares are taste, held against photographs of weathered sandstone, fired terracotta, bronze in the open
 and white marble; the roughness and the split into metal and patina follow glTF's metallic-roughness model.

@@ -1,4 +1,4 @@
-"""One photograph laid on any mesh by marked vertices: camera, deformation, texture.
+"""Fitting of a photograph to a mesh by markers: camera, deformation, texture.
 
 The source (statues of the tutorial): interesting vertices are marked, projected on the picture and dragged to their
 right places in it, while the textured object shows live. Ours: the marks tell the camera, what the camera leaves bends

@@ -1,4 +1,4 @@
-"""How a statue stands: legs straight and feet flat, so that it can step down and walk."""
+"""Stances of statues: straight legs and flat feet, so that they can step down and walk."""
 
 from __future__ import annotations
 

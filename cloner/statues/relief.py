@@ -1,4 +1,4 @@
-"""The relief that a statue keeps: hollows of its surface, and what the photographs showed as shallow carving."""
+"""Relief of a statue: cavities of its surface, and details of the photographs as shallow carving."""
 
 from __future__ import annotations
 

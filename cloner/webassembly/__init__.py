@@ -1,1 +1,1 @@
-"""Modules of the product's own in WebAssembly: what they share, and how Python runs them."""
+"""The product's own WebAssembly modules: shared code, and their use from Python."""

@@ -1,4 +1,4 @@
-"""A module in Python: it is run by wasmtime, and its arrays are NumPy's, in the same memory.
+"""A WebAssembly module in Python by wasmtime, with its memory as NumPy arrays.
 
 Modules are made of the AssemblyScript beside them by `generic_models/build/build_engine.py`. They import nothing: they
 can touch no file, clock or network, only their own memory.

@@ -1,1 +1,3 @@
-"""The engine of crowds: `engine.wasm`, made of the AssemblyScript here, run alike by Python, node and browsers."""
+"""The crowd engine: `engine.wasm`, compiled from the AssemblyScript here; deterministic in Python,
+node and browsers.
+"""

@@ -1,4 +1,4 @@
-"""What a visitor's consent lets others do with the files, besides its text."""
+"""What a visitor's consent allows others to do with the files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numbers of a day at the booth: how many came, how long they waited, what was refused and why. No names."""
+"""Statistics of a day at the booth: visitors, waiting times, refusals and their reasons. No names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an event holds of its visitors, for how long, and how all of it goes."""
+"""Retention: what an event holds of its visitors, for how long, and its deletion."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The operator's number: kept so that reading the event's file does not tell it, tried a few times in a row only."""
+"""The operator's PIN, stored as a salted hash, with a limit on attempts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which events were open last on this computer: places of folders, nothing of anybody in them."""
+"""The most recently opened events on this computer: paths of folders, no personal data."""
 
 from __future__ import annotations
 

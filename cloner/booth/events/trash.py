@@ -1,4 +1,4 @@
-"""Visitors thrown away by a slip: they lie in the event's trash for some days, and then they are gone for good.
+"""Deleted visitors: kept in the event's trash for some days, then removed for good.
 
 Who wants everything deleted is not put here but forgotten at once (`cloner.booth.events.keeping`). What lies here is
 still held, and is listed as such.

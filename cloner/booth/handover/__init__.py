@@ -1,1 +1,1 @@
-"""What visitors take home: files on sticks, an e-mail, a code to scan."""
+"""Delivery to visitors: files on USB sticks, an e-mail, a QR code."""

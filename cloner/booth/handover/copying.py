@@ -1,4 +1,4 @@
-"""Files on their way to a stick: copied, written through, and read back before anybody is told that they are there."""
+"""Copies to a USB stick: written, flushed, and read back before they are reported as complete."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a visitor takes home: files in chosen formats with report and pictures, as a folder or one zip file."""
+"""A visitor's files in chosen formats with report and pictures, as a folder or one zip file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An e-mail to the visitor as a file that mail programs open as a draft; this program sends nothing."""
+"""An e-mail draft to the visitor, as a file that mail programs open; this program sends nothing."""
 
 from __future__ import annotations
 

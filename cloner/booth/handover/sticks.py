@@ -1,4 +1,4 @@
-"""Sticks and cards that are plugged in, and how they go again; on Linux, by the system's own programs."""
+"""Detection and ejection of removable drives, on Linux by the system's own programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a visitor's files go, and a code to scan for them."""
+"""The location of a visitor's files, with a QR code for them."""
 
 from __future__ import annotations
 

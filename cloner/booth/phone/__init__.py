@@ -1,1 +1,1 @@
-"""A page for visitors' telephones, served on the booth's own network only while the operator has it switched on."""
+"""A page for visitors' phones, served on the booth's own network only while the operator has switched it on."""

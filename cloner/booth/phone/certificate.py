@@ -1,4 +1,4 @@
-"""The booth's own certificate: made for one event, signed by nobody, so telephones ask once whether to go on."""
+"""The booth's self-signed certificate, made for one event; phones ask once whether to trust it."""
 
 from __future__ import annotations
 

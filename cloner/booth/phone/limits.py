@@ -1,4 +1,4 @@
-"""How much one telephone may ask for: enough for a page with its pictures, too little for guessing links."""
+"""Rate limits per phone: enough for a page with its pictures, too little for guessing links."""
 
 from __future__ import annotations
 

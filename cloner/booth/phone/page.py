@@ -1,4 +1,4 @@
-"""The page itself: one file without anything from elsewhere, in the visitor's language."""
+"""The page: one self-contained file in the visitor's language."""
 
 from __future__ import annotations
 

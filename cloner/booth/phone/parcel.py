@@ -1,4 +1,4 @@
-"""What a visitor's telephone gets: a picture, a clone that turns under the finger, a short film, and the GLB file."""
+"""Contents for a visitor's phone: a picture, an interactive clone, a short film, and the GLB file."""
 
 from __future__ import annotations
 

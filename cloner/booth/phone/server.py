@@ -1,4 +1,4 @@
-"""The server of the page: listens on one address of the booth's own network while it is switched on, and nowhere else.
+"""The server of the page: listens on one address of the booth's own network while it is switched on.
 
 It answers GET and HEAD of the files of `cloner.booth.phone.parcel` below a visitor's link. Everything else, and every
 link that is nobody's, gets the same empty 404; nothing is listed, logged or cached.

@@ -1,4 +1,4 @@
-"""One link a visitor, which nobody can guess, and which leads nowhere after some hours.
+"""One unguessable link per visitor, which expires after some hours.
 
 It lies in the visitor's folder. Whoever is forgotten takes the link along: nothing of it is kept anywhere else.
 """

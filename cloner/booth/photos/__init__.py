@@ -1,1 +1,1 @@
-"""Photos at the booth: cameras, new files, where they are stored, and what a look at them tells."""
+"""Photos at the booth: cameras, new files, storage, and the check of each new photo."""

@@ -1,4 +1,4 @@
-"""New photos in a tethered camera's folder, told from half-written ones and from those that lay there before."""
+"""New photos in a tethered camera's folder, distinguished from partial and earlier ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A camera at this computer, where there is one: pictures one after the other."""
+"""A webcam on this computer: single pictures in sequence."""
 
 from __future__ import annotations
 

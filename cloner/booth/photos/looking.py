@@ -1,4 +1,4 @@
-"""A new photo looked at while the visitor is still there: which view it shows, and what is wrong with it."""
+"""The check of a new photo while the visitor is still present: its view and its problems."""
 
 from __future__ import annotations
 

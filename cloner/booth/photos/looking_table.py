@@ -1,4 +1,4 @@
-"""What can be told of a photo as soon as it is taken."""
+"""Problems that can be detected as soon as a photo is taken."""
 
 from __future__ import annotations
 

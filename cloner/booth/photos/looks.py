@@ -1,4 +1,4 @@
-"""What was found of a visitor's photos, kept by their digests so that nothing is looked at twice."""
+"""Cached checks of a visitor's photos, by digest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The photos of a visitor as files: five named places and a tray for the rest. Nothing is overwritten, ever.
+"""A visitor's photo files: five named places and a tray for the rest. Nothing is ever overwritten.
 
 A photo is stored in the tray before anybody looks at it, and its name says so: ``photo_003.new.jpg`` waits to find its
 place, ``photo_004.face_side.jpg`` for the place it is meant for. Whatever ends the program, the photo is there.

@@ -1,4 +1,4 @@
-"""A real camera on a USB cable, by the program gphoto2 where it is installed: live picture and photos.
+"""A camera on a USB cable, by the program gphoto2 where it is installed: live view and photos.
 
 gphoto2 runs as a process of its own: its drivers may crash, and its licence stays its own. The live picture is the
 stream of ``--capture-movie``, JPEG files one after the other; a camera that gives none takes photos all the same.

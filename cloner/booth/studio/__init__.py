@@ -1,1 +1,1 @@
-"""What an operator makes of finished clones and of nobody's: clothes, bodies from measures, statues."""
+"""The studio: clothes, bodies from measures and statues, made from finished clones or from nothing."""

@@ -1,4 +1,4 @@
-"""Statues: a clone in stone, a photograph laid on a clone by its markers, a body of blobs."""
+"""Statues: a clone in stone, a photograph fitted to a clone by markers, a body of blobs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The studio's long jobs, as one object that lives in a worker's process."""
+"""Long jobs of the studio, as one object in a worker process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bodies from measures, and clones that are told new ones: shown while they are told, written when they are good."""
+"""Bodies from measures and changed clones: previewed while they are edited, written when finished."""
 
 from __future__ import annotations
 

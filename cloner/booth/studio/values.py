@@ -1,4 +1,4 @@
-"""What the studio's windows ask for and are shown: small values that go between processes."""
+"""Requests and results of the studio's windows: small values that cross process boundaries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Wearing: a garment is arranged round a clone, sewn, walked with and written; what was made so far is remembered."""
+"""Dressing: a garment is arranged on a clone, sewn, simulated in a walk and written; intermediate
+results are cached.
+"""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""A visitor: person, place in the queue, earlier work, and what they cost the operator."""
+"""A visitor: person, place in the queue, earlier work, and the operator's effort."""

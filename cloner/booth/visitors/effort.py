@@ -1,4 +1,4 @@
-"""What visitors cost the operator: seconds, clicks and drags, one row each, no names."""
+"""The operator's effort per visitor: seconds, clicks and drags, one row each, no names."""
 
 from __future__ import annotations
 

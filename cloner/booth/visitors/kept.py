@@ -1,4 +1,4 @@
-"""What earlier work on a visitor left in the work folder: found again where the photos are still the same."""
+"""Earlier work on a visitor in the work folder, reused while the photos are unchanged."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The queue of visitors who wait for their clone: who is next, and how long it takes."""
+"""The queue of visitors waiting for their clones: who is next, and the estimated time."""
 
 from __future__ import annotations
 

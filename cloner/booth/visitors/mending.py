@@ -1,4 +1,4 @@
-"""Damaged files of an event, put right from what is still there; the damaged one is kept beside, and it is told.
+"""Repair of an event's damaged files from what remains; the damaged file is kept and reported.
 
 A file of a newer version is not damaged: it is left as it is, and its error says so.
 """

@@ -1,4 +1,4 @@
-"""What visitors are called on the operator's screen: by their name and number; the log and the files know numbers."""
+"""Visitors' names on the operator's screen: name and number; log and files have numbers only."""
 
 from __future__ import annotations
 

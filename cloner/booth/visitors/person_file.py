@@ -1,4 +1,4 @@
-"""Writing ``person.toml``: name, height and consent as the window took them; what else stands there stays."""
+"""Writing of ``person.toml``: name, height and consent from the window; other entries are kept."""
 
 from __future__ import annotations
 

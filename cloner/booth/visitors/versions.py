@@ -1,4 +1,4 @@
-"""The clone before: kept when a visitor is cloned again, and brought back where the new one is no better."""
+"""The previous clone: kept when a visitor is cloned again, and restored if the new one is no better."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far a visitor has come: where the window stood, the queue, and what it cost the operator."""
+"""A visitor's progress: the window's page, the queue, and the operator's effort."""
 
 from __future__ import annotations
 

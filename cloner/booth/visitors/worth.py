@@ -1,4 +1,4 @@
-"""Which points are worth an operator's look before a visitor is cloned, and what they change."""
+"""Points worth an operator's check before a visitor is cloned, and what they change."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Garments as patterns: drafted from measures, drawn, and cut into triangles."""
+"""Garment patterns: drafted from measures or read from files, and triangulated."""

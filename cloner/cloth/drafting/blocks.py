@@ -1,4 +1,4 @@
-"""Blocks drafted from a clone's own measures: what hangs from a ring round the body, in two pieces."""
+"""Pattern blocks drafted from a clone's measures: two pieces that hang from a ring around the body."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pieces cut into triangles: a hexagonal grid inside, points laid evenly on the edges, as many on both of a seam's."""
+"""Triangulation of pattern pieces: a hexagonal grid inside, matching points along seams."""
 
 from __future__ import annotations
 

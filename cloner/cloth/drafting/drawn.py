@@ -1,4 +1,4 @@
-"""Garments drawn as SVG: a path a piece, a cubic curve or a line an edge; names of edges and seams in attributes.
+"""Patterns drawn as SVG: one path per piece, one curve or line per edge; names and seams in attributes.
 
 ::
 

@@ -1,4 +1,4 @@
-"""Garments that FreeSewing drew, as pieces of ours: fronts and backs cut on the fold, sleeves of one piece.
+"""Import of FreeSewing patterns: fronts and backs cut on the fold, sleeves of one piece.
 
 Its SVG tells outlines and the names of parts, no seams. They follow from the corners: from the fold on, a front or
 back goes by hem, side, armhole, shoulder and neck, a sleeve by hem, side, cap and side. What else is drawn (ribbing,

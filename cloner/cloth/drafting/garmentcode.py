@@ -1,4 +1,4 @@
-"""Garments that GarmentCode wrote, as pieces of ours: its panels are laid round trunk and arms, its stitches are seams.
+"""Import of GarmentCode patterns: panels around trunk and arms, stitches as seams.
 
 A panel is drawn in centimetres and stands in space beside its body; where that is tells which part it goes round, which
 way is up and how far to the left it lies. Its height is not kept, for the body is another one's: what reaches the

@@ -1,4 +1,4 @@
-"""Planar segments with splines for edges and seams between them, as JSON.
+"""Patterns: planar segments with splines as edges, and seams between them, as JSON.
 
 The words are the crowd paper's: a *segment* is a planar piece of cloth, a *seam* couples two edges. A file::
 

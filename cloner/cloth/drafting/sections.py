@@ -1,4 +1,4 @@
-"""Slices of a clone at rest that garments lie round: trunk, legs and arms, each the hull that a tape would follow."""
+"""Cross sections of a clone at rest: trunk, legs and arms, each a convex hull as a tape measure lies."""
 
 from __future__ import annotations
 

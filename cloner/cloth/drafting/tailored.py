@@ -1,4 +1,4 @@
-"""Garments with sleeves or legs, drafted from a clone's own measures: tee, dress, coat and trousers.
+"""Garments with sleeves or legs, drafted from a clone's measures: tee, dress, coat and trousers.
 
 Pieces are drawn as they lie on the body: y is the height over the natural waist, on sleeves over the shoulder joint.
 Ease and shape are those of plain basic blocks of pattern books; taste.

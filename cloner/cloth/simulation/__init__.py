@@ -1,1 +1,1 @@
-"""Garments put on a clone and moved with it."""
+"""Simulation of garments on a moving clone."""

@@ -1,4 +1,4 @@
-"""What of the skin lies so deep under cloth in every frame that it need not be seen."""
+"""Skin that is covered deeply by cloth in every frame and need not be drawn."""
 
 from __future__ import annotations
 

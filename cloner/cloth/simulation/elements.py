@@ -1,4 +1,4 @@
-"""Cloth as the source builds it: first-order elements with curves of warp, weft and shearing, bending between them.
+"""Cloth as first-order finite elements with stress curves of warp, weft and shear, and bending between them.
 
 A triangle's strain is Green's, along the warp, the weft and between both; its stress follows Kawabata's curves, with
 Poisson's coupling, viscosity, and the friction of its threads: the way back lies below the way there, so that what was

@@ -1,4 +1,4 @@
-"""Six fabrics, and one's own, by what Kawabata's machines measure (KES), and what the solvers make of it.
+"""Six fabrics, and user-defined ones, from Kawabata (KES) measurements.
 
 The numbers of the six are typical of the kind, chosen within the ranges that textile literature prints for KES-F; none
 was measured here. A fabric of one's own is a file of the same form, with the 21 readings of a KES-F sheet; those of

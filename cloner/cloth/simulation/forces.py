@@ -1,4 +1,4 @@
-"""What elements push and pull: forces of a step, the matrix's blocks, and the friction of threads.
+"""Forces of finite elements: a step's forces, matrix blocks, and internal friction.
 
 Friction is a spring beside the curve that holds until it slips and is then drawn along: loops of loading lie as wide as
 Kawabata prints them, and cloth that was folded keeps a crease.

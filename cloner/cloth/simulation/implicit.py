@@ -1,4 +1,4 @@
-"""The source's integrator: implicit Euler over first-order elements, the accurate one beside the fast one of `solver`.
+"""The source's integrator: implicit Euler over first-order elements, accurate; `solver` is the fast one.
 
 ``(M + h D + h² K) dv = M (v' - v) + h f`` in every round of a step, forces at its end, by conjugate gradients.
 What meets skin or itself is put right afterwards in place and speed, as the source does.

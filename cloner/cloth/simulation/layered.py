@@ -1,4 +1,4 @@
-"""A garment worn over another: what lies below is met like skin, where its own loop puts it in every frame."""
+"""Garments worn over another: the lower one is a moving collider."""
 
 from __future__ import annotations
 

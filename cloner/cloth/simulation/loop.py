@@ -1,4 +1,4 @@
-"""Cloth that ends as it began: the best stretch of a long simulation is found in two passes and closed.
+"""Closed loops of cloth motion: the best stretch of a long simulation is found in two passes and closed.
 
 The crowd paper, section "cyclic cloth": the human cycle is repeated many times; pass 1 compares all vertices of frames
 that lie a whole number of cycles apart (the body is then the same), pass 2 edge images of the best of them. From there

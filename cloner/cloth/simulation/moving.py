@@ -1,4 +1,4 @@
-"""A garment put on a clone and moved with it: placed, settled, taken into the walk, and simulated cycle after cycle."""
+"""Simulation of a garment: placed, settled, moved into the walk, then cycle after cycle."""
 
 from __future__ import annotations
 

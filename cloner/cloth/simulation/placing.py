@@ -1,4 +1,4 @@
-"""Pieces put round the body: as near as they can be without touching it, their seams beside each other.
+"""Placement of pieces around the body: close without contact, seams beside each other.
 
 A garment hangs from a ring: the convex hull of the body's slice at its level, as a tape would lie. A piece's points
 keep their distance from its upper edge and go outward as its hem is longer than that; seams go half-way between

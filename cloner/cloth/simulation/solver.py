@@ -1,4 +1,4 @@
-"""Cloth in motion: position-based dynamics with small steps, threads for stretch and shear, skip threads for bending.
+"""Position-based dynamics with small steps: stretch and shear threads, skip threads for bending.
 
 A piece is a network of threads: an edge's stiffness is that of warp, weft and shearing by its direction in the plane of
 its piece; across every inner edge a thread that skips it resists bending (the source's structural, diagonal and

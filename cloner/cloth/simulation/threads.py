@@ -1,4 +1,4 @@
-"""Threads of cloth: which stay apart, and in which order they are drawn to their lengths.
+"""Distance constraints of cloth: minimum spacing, and the order in which they are solved.
 
 References
 ----------

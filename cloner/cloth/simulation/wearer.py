@@ -1,4 +1,4 @@
-"""The body under a garment: where its skin is in every frame of a motion."""
+"""The body under a garment: positions of its skin in every frame of a motion."""
 
 from __future__ import annotations
 

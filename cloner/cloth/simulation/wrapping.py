@@ -1,4 +1,4 @@
-"""Pieces laid round trunk, arms and legs as they were drawn, as near as can be without touching, seams half-way.
+"""Placement of pieces wrapped around trunk, arms and legs, close without contact, seams half-way.
 
 Where the cloth round a part is wider than the part, its ring is moved outward until it is as long as the cloth; above
 the height at which the pieces close round the body (armpits, the sleeve's cap) they keep the width they had there.

@@ -1,1 +1,1 @@
-"""One clone made ready for a crowd: levels of detail, clips, colours, its numbers for shaders."""
+"""Clones prepared for a crowd: levels of detail, clips, colours, shader arrays."""

@@ -1,4 +1,4 @@
-"""Motions of the crowd as frames of bone matrices, one set a clone.
+"""Motions of the crowd as frames of bone matrices, one set per clone.
 
 References
 ----------

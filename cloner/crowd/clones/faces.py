@@ -1,4 +1,4 @@
-"""How faces of a crowd move: targets of speech and four feelings, over the wedges that these move."""
+"""Facial motion of a crowd: targets of speech and four emotions, on the wedges that these move."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One clone at five levels of detail in one glTF, for worlds that draw many people or weak machines.
+"""One clone at five levels of detail in one glTF.
 
 The file is the clone's own glTF, seen whole by every viewer. Coarser levels are nodes beside its scene, "Body_LOD1",
 "Hair_LOD1" to "Body_LOD4": lists of triangles over the very vertices, weights, texture coordinates and targets of the

@@ -1,4 +1,4 @@
-"""Which clones go into a crowd: found in result folders, checked, and refused by name where consent is missing."""
+"""Clones for a crowd: found in result folders, checked, and refused where consent is missing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A clone's walk and idle as vertex animation textures: one mesh, offsets of every vertex."""
+"""A clone's walk and idle as vertex animation textures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which part of a limb a texel lies on, and how far each clone's clothes reach down its limbs.
+"""Zones of limbs in the atlas, and how far each clone's clothes cover its limbs.
 
 Clothes of a clone fit every other one whose trunk they cover alike: sleeves and legs may end elsewhere. Near people
 look their garments up in the donor's atlas; impostors, which have no atlas, show cloth or skin by zones.

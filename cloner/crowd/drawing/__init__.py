@@ -1,1 +1,1 @@
-"""Drawing a crowd: shaders, impostors, off screen and in the browser's page."""
+"""Rendering of a crowd: shaders, impostors, offscreen and in the browser."""

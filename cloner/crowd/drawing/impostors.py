@@ -1,4 +1,4 @@
-"""Impostors: a clone from all around in every pose, as tiles of colour, coverage, normals and depth.
+"""Impostors: a clone from many directions in every pose, as tiles of colour, coverage, normals and depth.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""The page that shows a pack in any browser: one file that asks nobody for anything."""
+"""The player page of a pack: one self-contained file."""
 
 from __future__ import annotations
 

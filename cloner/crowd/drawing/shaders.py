@@ -1,4 +1,4 @@
-"""The shaders' parts, the same in the page and in the painter, and what they are told where there is no room."""
+"""Shader sources, shared by the page and the offscreen renderer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the samples of a bake to an impostor's texels."""
+"""Downsampling of baked samples to an impostor's texels."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Packs: made, read, checked, listed, and drawn as stills or films."""
+"""Packs: made, read, validated, listed, and drawn as stills or films."""

@@ -1,4 +1,4 @@
-"""Say whether a pack is whole, and what is in it."""
+"""Verification of a pack, and its contents."""
 
 from __future__ import annotations
 

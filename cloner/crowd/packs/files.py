@@ -1,4 +1,4 @@
-"""Files of a pack: numbers in line, pictures as WebP, and the folder that appears whole or not at all."""
+"""Files of a pack: binary arrays, WebP pictures, and the folder written atomically."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What packs hold of whom: for listing, handing out and forgetting. See :func:`folders_of`.
+"""Personal data in packs: for listing, export and deletion. See :func:`folders_of`.
 
 A pack holds a person's face many times over, inside its pictures and inside its page; there is no taking one person out
 of it by hand. So whoever is forgotten takes the pack along: it is deleted, and made again without the person.

@@ -1,4 +1,4 @@
-"""Read a pack back: its facts checked, its files against their digests, and the stock that shaders draw from."""
+"""Reading of a pack: validated description, verified files, and the arrays for the shaders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A still or a film of a pack without a browser, from the same tiers and shaders."""
+"""A still or a film of a pack without a browser, with the same tiers and shaders."""
 
 from __future__ import annotations
 

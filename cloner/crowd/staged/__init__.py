@@ -1,1 +1,1 @@
-"""Who stands where in which look, cameras, light and rooms."""
+"""Staging: positions and looks of people, cameras, light and rooms."""

@@ -1,4 +1,4 @@
-"""What the light of a room asks of its painters, numbers alone: exposure, the sky around, and where the sun looks from.
+"""Room lighting for the renderers: exposure, sky, and the sun's shadow camera.
 
 ``web/room.js`` does the same, number for number. Lights are irradiances, 1 shows a white surface white.
 """

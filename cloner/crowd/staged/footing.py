@@ -1,4 +1,4 @@
-"""Who stands on what, when: people of a scenario told as footings, so that whoever plays them slides no foot.
+"""Footings: contacts of feet over time, so that playback never slides a foot.
 
 A footing is the time in which one foot carries: a step, half a step to begin or to end walking, a turn on the spot, or
 standing. In between two frames the body moves just so that the point of the sole that touches keeps its place: that

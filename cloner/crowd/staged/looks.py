@@ -1,4 +1,4 @@
-"""What a crowd may wear: palettes of dyes and who wears whose garments; ``looks.toml`` says otherwise."""
+"""Outfits of a crowd: palettes of dyes and exchangeable garments, configurable in ``looks.toml``."""
 
 from __future__ import annotations
 

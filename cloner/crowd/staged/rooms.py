@@ -1,4 +1,4 @@
-"""A lit room that a pack's clones stand in: its triangles, its light map, and the probes that light people.
+"""A lit room for a pack's clones: its triangles, light map, and light probes for people.
 
 ``room.bin`` holds arrays; ``room_looks.webp`` textures one below another; ``room_light.webp`` the light map without the
 sun's own light, sRGB, white standing for ``brightest``; ``room_sun.webp`` how much of the sun falls there, so that

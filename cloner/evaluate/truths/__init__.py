@@ -1,1 +1,1 @@
-"""What is truly known of visitors, and baselines that a clone must beat."""
+"""Truth of visitors, and baselines."""

@@ -1,4 +1,4 @@
-"""What a clone must beat: the generic human, scaled to the stature, in one plain colour."""
+"""The baseline: the generic human, scaled to the stature, in one plain colour."""
 
 from __future__ import annotations
 

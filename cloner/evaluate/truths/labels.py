@@ -1,4 +1,4 @@
-"""The product's own label picture of every photo: the one door through which it is judged."""
+"""The product's label images, as they are judged."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""glTF for programs with bones of their own: Unity, Unreal, Mixamo, VRM and its animations."""
+"""glTF for programs with skeletons of their own: Unity, Unreal, Mixamo, VRM and its animations."""

@@ -1,4 +1,4 @@
-"""Write a clone as glTF with the bones that engines know: Unity's humanoid in T-pose, Unreal's mannequin in A-pose.
+"""glTF with engine skeletons: Unity's humanoid in T-pose, Unreal's mannequin in A-pose.
 
 Bones keep the model's axes: both engines retarget by names and rest pose. Metres; the engines' importers scale.
 

@@ -1,4 +1,4 @@
-"""Write a clone as glTF with the bones of Mixamo: their names, their hierarchy, T-pose; tools that know them fit it.
+"""glTF with Mixamo's skeleton: its names and hierarchy, in T-pose.
 
 Mixamo's own files turn every bone's axes along the bone; glTF asks for no such axes and ours are the model's. Programs
 that retarget by names and rest pose (Unity, Unreal, Blender's add-ons) need no more; copying raw rotations from a

@@ -1,4 +1,4 @@
-"""Write a clone as VRM 1.0: a glTF in T-pose with humanoid bones, expressions, gaze and the terms of its use.
+"""VRM 1.0: a glTF in T-pose with humanoid bones, expressions, gaze and licence terms.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""The terms of a person's use as VRM's metadata.
+"""Licence terms of a person as VRM metadata.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""Write a clone's motion as a VRM animation: humanoid bones in T-pose that any VRM avatar can be moved by.
+"""VRM animations: a clone's motion for any VRM avatar.
 
 References
 ----------

@@ -1,1 +1,1 @@
-"""Binary glTF: skin, morph targets, motions, and a packed one for the web."""
+"""Binary glTF: skin, morph targets, motions, and a compressed version for the web."""

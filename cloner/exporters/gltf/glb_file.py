@@ -1,4 +1,4 @@
-"""The bytes of a binary glTF file.
+"""Serialisation of binary glTF.
 
 ``pygltflib`` writes them too, but copies every part deeply on the way: a quarter of a file's whole time.
 

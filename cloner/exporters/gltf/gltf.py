@@ -1,4 +1,4 @@
-"""Write a clone as one binary glTF 2.0 file: skinned, with morph targets, textures, a walk and an idle inside.
+"""A clone as one binary glTF 2.0 file: skinned, with morph targets, textures, and animations.
 
 Metres, +Y up, facing +Z. Scene: the node "Armature" holds the 94 H-Anim
 joints; the skinned nodes "Body", "Hair" and "Cloth" stand beside it, because glTF

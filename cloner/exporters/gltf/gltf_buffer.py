@@ -1,4 +1,4 @@
-"""The binary side of a glTF file: arrays in, accessor numbers out."""
+"""The buffer of a glTF file: arrays in, accessor numbers out."""
 
 from __future__ import annotations
 

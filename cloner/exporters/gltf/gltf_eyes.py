@@ -1,4 +1,4 @@
-"""Eyes with depth: the iris lies flat at its rim and reflects light as the round cornea before it does.
+"""Eyes with depth: flat irises that reflect light like the round cornea in front of them.
 
 The generic human's eyeball is one closed surface on which iris and pupil are painted: seen from the side, a pupil
 stands at the front of the ball. Here the painted disc is laid flat, 1.9 mm behind, and has the normals of a cornea,

@@ -1,4 +1,4 @@
-"""Buffer views of a finished glTF packed by EXT_meshopt_compression, in place.
+"""Compression of glTF buffer views by EXT_meshopt_compression, in place.
 
 References
 ----------

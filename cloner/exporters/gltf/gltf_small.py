@@ -1,4 +1,4 @@
-"""A small glTF for the web: whole numbers, packed, and pictures half as large; nothing anybody sees is lost.
+"""A small glTF for the web: quantised, compressed, with textures of half the size.
 
 Positions keep 1/32767 of the person's box (some 0.03 mm), normals half a degree, texture coordinates a thirtieth of a
 texel, quaternions of motions a 250th of a degree.

@@ -1,4 +1,4 @@
-"""Morph targets of a glTF: how far vertices move, and how their normals turn with them.
+"""Morph targets of a glTF, with the normals' changes.
 
 Without the second the light stays where it lay on the resting face: a smile lifts no cheek. Only what turns by more
 than is seen is stored, of the face's own targets; correctives keep the flesh of limbs, whose normals the bones turn:

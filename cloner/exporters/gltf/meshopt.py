@@ -1,4 +1,4 @@
-"""Number streams packed as EXT_meshopt_compression has them: attributes, triangles, and plain index sequences.
+"""Encoders of EXT_meshopt_compression: attributes, triangles, and index sequences.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""How far the joints of a person turn, as H-Anim's fields ``llimit`` and ``ulimit`` tell it.
+"""Joint limits for H-Anim's fields ``llimit`` and ``ulimit``.
 
 Angles about the three axes of the model (X to the left, Y up, Z to the front) from H-Anim's own rest pose, arms
 hanging with the palms inwards, feet straight: bending forwards is a turn about -X for hip, shoulder and elbow, about X

@@ -1,4 +1,4 @@
-"""H-Anim 1.1 names of segments, and version 2's of joints.
+"""H-Anim 1.1 names of segments, and version 2 names of joints.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""The sites of the H-Anim standard on a clone: anthropometric points and ends of limbs, by the standard's names.
+"""Sites of the H-Anim standard on a clone: anthropometric points and ends of limbs.
 
 Each is one vertex of the generic human, found once by what anatomy says of the point: an end of a bone is where the
 skin is reached from a joint in some direction. Where the standard knows a height only by its own figure, the place

@@ -1,4 +1,4 @@
-"""Cut a skinned mesh into rigid pieces, one a joint."""
+"""A skinned mesh cut into rigid pieces, one per joint."""
 
 from __future__ import annotations
 

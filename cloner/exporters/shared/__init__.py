@@ -1,1 +1,1 @@
-"""What several formats share: files, pictures, bones, credits, regions and roughness."""
+"""Shared parts of exporters: files, pictures, bones, credits, regions and roughness."""

@@ -1,4 +1,4 @@
-"""The skeleton a file leaves with: all 94 H-Anim joints, or fewer under other names.
+"""Skeletons of exported files: all 94 H-Anim joints, or fewer under other names.
 
 Where joints are left out, the next kept one above carries their skin; kept joints keep their own orientations, so the
 turn of five vertebrae arrives in the one that is left.

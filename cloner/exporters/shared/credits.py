@@ -1,4 +1,4 @@
-"""Whom every exported file thanks."""
+"""Credits in every exported file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files written whole or not at all, and pictures as bytes."""
+"""Atomic file writes, and pictures as bytes."""
 
 from __future__ import annotations
 

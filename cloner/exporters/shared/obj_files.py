@@ -1,4 +1,4 @@
-"""Meshes of others as OBJ: read with texture coordinates, wrapped where they have none, written with a picture."""
+"""OBJ meshes of others: read with texture coordinates, unwrapped where they have none, written with a texture."""
 
 from __future__ import annotations
 

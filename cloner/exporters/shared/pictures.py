@@ -1,4 +1,4 @@
-"""The pictures that text formats keep beside themselves."""
+"""Texture files beside text formats."""
 
 from __future__ import annotations
 

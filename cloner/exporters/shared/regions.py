@@ -1,4 +1,4 @@
-"""Write which texel belongs to which region, for those who recolour a clone's clothes or hair."""
+"""Region masks of the atlas, for recolouring a clone's clothes or hair."""
 
 from __future__ import annotations
 

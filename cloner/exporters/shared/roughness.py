@@ -1,4 +1,4 @@
-"""How rough each part of the skin and clothes is, and how dark the mouth, as glTF wants it."""
+"""Roughness and occlusion maps in glTF's conventions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Write a clone as VRML97 that moves without a seam: one skin whose points are interpolated, beside its H-Anim joints.
+"""VRML97 without seams: one skin with interpolated points, beside its H-Anim joints.
 
 VRML97 and H-Anim 1.1 know no skin; rigid pieces on joints gape when they bend (format ``hanim``). Here every picture of
 a motion is the whole skin, bent by the joints as everywhere else, and the browser goes from one to the next. Joints,

@@ -1,4 +1,4 @@
-"""Write a clone as VRML97 without prototypes: one still figure, for loaders that know shapes and nothing else.
+"""VRML97 without prototypes: one static figure for simple loaders.
 
 Seamless, at rest; who wants joints and a walk takes ``wrl`` or ``x3d``. Metres, +Y up, facing +Z.
 

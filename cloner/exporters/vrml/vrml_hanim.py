@@ -1,4 +1,4 @@
-"""Write a clone as VRML97 with the H-Anim 1.1 prototypes: rigid pieces on joints, for H-Anim's own programs.
+"""VRML97 with the H-Anim 1.1 prototypes: rigid pieces on joints, for H-Anim programs.
 
 H-Anim 1.1 knows no skin: the body is cut into rigid pieces by the joint that
 moves each triangle most, and the pieces hang on the joints' segments. Borders

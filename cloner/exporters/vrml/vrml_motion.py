@@ -1,4 +1,4 @@
-"""A motion as VRML97: one clock, interpolators for the joints, and the routes between them.
+"""A motion as VRML97: a clock, interpolators for the joints, and routes.
 
 References
 ----------

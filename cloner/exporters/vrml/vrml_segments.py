@@ -1,4 +1,4 @@
-"""What hangs on the H-Anim segments: pieces of the skin, sites and displacers, as VRML97 text."""
+"""Contents of H-Anim segments as VRML97 text: pieces of skin, sites and displacers."""
 
 from __future__ import annotations
 

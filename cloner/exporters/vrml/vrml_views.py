@@ -1,4 +1,4 @@
-"""From where a VRML or X3D world is looked at: one viewpoint a named side of the person, the front first."""
+"""Viewpoints of a VRML or X3D world: one per named side of the person, the front first."""
 
 from __future__ import annotations
 

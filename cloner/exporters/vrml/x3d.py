@@ -1,4 +1,4 @@
-"""Write a clone as X3D 4 with HAnim: one seamless skin, bent by its joints, with displacers; a walk, idle at a click.
+"""X3D 4 with HAnim: one seamless skin with displacers, a walk, and an idle on click.
 
 Every vertex stands once in the Coordinate that ``skinCoord`` and all shapes of the skin share: some readers bend a skin
 only when it is the very same node. Metres, +Y up, facing +Z.

@@ -1,4 +1,4 @@
-"""Motions as X3D: a clock each, interpolators for joints and for the weights of the face's displacers, and routes.
+"""Motions as X3D: clocks, interpolators for joints and displacer weights, and routes.
 
 The first motion plays at once; a click on the person stops it and starts the second.
 

@@ -1,1 +1,1 @@
-"""Captured motions: read from files, their joints named, laid on a clone."""
+"""Motion capture: file readers, joint identification, retargeting."""

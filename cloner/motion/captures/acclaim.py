@@ -1,4 +1,4 @@
-"""Read Acclaim captures: a skeleton (.asf) and its bones' angles over time (.amc), as laboratories keep them.
+"""Reader of Acclaim captures: a skeleton (.asf) and its joint angles over time (.amc).
 
 A bone of these files turns itself, a joint of ours turns what hangs on it: the joint of a bone lies at the bone's
 beginning. Angles are counted in the bone's own axes.

@@ -1,4 +1,4 @@
-"""Find the parts of a body in a captured skeleton, whatever its joints are called.
+"""Identification of body parts in a captured skeleton, whatever its joints are called.
 
 Knees and elbows are told by name, in the dialects of CMU, Mixamo, MakeHuman, Unreal, VRM, 3ds Max and H-Anim;
 everything else follows from the hierarchy: what lies above a knee is the thigh, below it the foot, and the spine joins

@@ -1,4 +1,4 @@
-"""Read Biovision hierarchy files (BVH): a skeleton and its joints' angles over time.
+"""Reader of Biovision hierarchy files (BVH): a skeleton and its joint angles over time.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""Lay a captured motion on a clone: limbs point as the captured ones do, at the clone's own lengths.
+"""Retargeting: limbs point as the captured ones do, with the clone's own lengths.
 
 Every limb keeps the capture's direction frame by frame, so neither rest poses nor lengths need to agree; the trunk's
 turn is spread over the vertebrae, and the hips travel in proportion to the legs. Then the soles are put on the floor

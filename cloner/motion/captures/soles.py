@@ -1,4 +1,4 @@
-"""Soles of a captured motion on the floor: flat where they nearly are, still while they stand, jumps left as jumps."""
+"""Foot correction of captured motions: soles flat and still on the floor during contacts, jumps unchanged."""
 
 from __future__ import annotations
 

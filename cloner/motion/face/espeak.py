@@ -1,4 +1,4 @@
-"""Written words spoken by espeak-ng, where it is installed: the sound, and every phoneme with its time.
+"""Text to speech by espeak-ng, where installed: the sound, and every phoneme with its time.
 
 The program is somebody else's and stays so: a process of its own speaks, and what comes back is sound and names of
 phonemes in the alphabet of phonetics (IPA).

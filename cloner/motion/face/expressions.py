@@ -1,4 +1,4 @@
-"""Faces over time: static expressions with time envelopes on independent tracks, mixed without ugly sums.
+"""Facial expressions with time envelopes on independent tracks, mixed within limits.
 
 The tutorial's hierarchy: mesh, static expressions, and tracks on which expressions come and go.
 

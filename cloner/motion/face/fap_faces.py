@@ -1,4 +1,4 @@
-"""Which targets of a face play MPEG-4 parameters: every feature by its own, lids by how far they shut.
+"""Face targets for MPEG-4 parameters: each feature by its own, lids by how far they close.
 
 A least-squares fit over all targets would raise a mouth's corners by a dozen little pulls anywhere in the face. Here
 every parameter has the few targets that people move that feature with; a frame's weights come nearest to its points.

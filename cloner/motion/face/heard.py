@@ -1,4 +1,4 @@
-"""Mouth shapes from the sound of speech: a small net over the loudness of the spectrum's bands.
+"""Mouth shapes from speech sound: a small net over spectral band energies.
 
 Twenty-four bands on the scale of hearing, every hundredth second, against the speech's own mean; eleven moments from
 .09 s before to .09 s after tell the net which of the fifteen shapes a mouth makes. It was taught on synthetic voices of

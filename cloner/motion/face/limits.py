@@ -1,4 +1,4 @@
-"""Weights of face targets that make no ugly sum: lids never pass each other, lips never cross, nothing overshoots.
+"""Limits on mixed face targets: lids and lips never cross, nothing overshoots.
 
 Targets are added; each alone is a sound face, their sum need not be. Everything here is measured on the clone itself.
 """

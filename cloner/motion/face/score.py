@@ -1,4 +1,4 @@
-"""A score for the face: expressions that come, stay and go on independent tracks, written by hand.
+"""A score for the face, written by hand: expressions on independent tracks.
 
 The tutorial's hierarchy from the top down: a score has tracks (head, eyes, brows, mouth, emotion), a track has beats, a
 beat is a static expression with attack, sustain and decay, an expression is weights of the mesh's targets. TOML::

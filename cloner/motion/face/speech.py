@@ -1,4 +1,4 @@
-"""Mouth shapes of speech: their names, from phonemes, and how a mouth moves from one to the next.
+"""Visemes: names, mapping from phonemes, and coarticulation.
 
 What is heard in a sound instead: ``cloner.motion.face.sound``.
 """

@@ -1,4 +1,4 @@
-"""A clone that speaks: the mouth follows the speech, eyes blink, head and brows stress it, a score adds the rest."""
+"""A speaking clone: mouth from speech, blinks, head and brow movements on stress, and a score."""
 
 from __future__ import annotations
 

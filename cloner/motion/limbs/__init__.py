@@ -1,1 +1,1 @@
-"""The parts of a person that move: chains of joints, rotations, clearance, hanging hair."""
+"""Moving parts of a person: joint chains, rotations, clearance, hanging hair."""

@@ -1,1 +1,1 @@
-"""Motions of our own: walk, idle, acts and a greeting, with feet that stay where they stand."""
+"""Procedural motions: walk, idle, acts and a greeting, with planted feet."""

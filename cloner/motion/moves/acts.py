@@ -1,4 +1,4 @@
-"""What people do while they stand: look, wave, point, photograph, pay, applaud, lift; each closed into a circle.
+"""Acts of standing people: look, wave, point, photograph, pay, applaud, lift; each a closed cycle.
 
 The lower body is that of the idle; hands go to places told in shares of the arm's length, so that they meet and reach
 whatever the person's size. All places and times are taste.

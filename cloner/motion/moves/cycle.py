@@ -1,4 +1,4 @@
-"""Make a circle of a captured walk: cut at two like steps and close the gap without losing the walker's manner."""
+"""A captured walk made cyclic: cut at two similar steps, with the gap blended."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A walk and an idle for any clone, made from the angles that people walk with.
+"""A procedural walk and idle for any clone, from human gait angles.
 
 The curves are ours: knots read off the usual sagittal angles of healthy gait (hip 30 degrees forward at heel strike and
 10 back, knee 60 degrees in swing, ankle 10 up and 18 down), so nobody's capture is in them.

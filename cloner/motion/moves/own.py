@@ -1,4 +1,4 @@
-"""The motions that every clone leaves with."""
+"""The motions exported with every clone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Feet that stay where they touch: soles roll over the ground without slipping and leave it cleanly.
+"""Foot planting: soles roll over the ground without slipping.
 
 While a foot stands, the point of its sole that touches the floor keeps its place from frame to frame, whichever point
 that is: the heel at first, then ball and toes. Between two stands the foot goes its own way, carried from the one place

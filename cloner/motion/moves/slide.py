@@ -1,4 +1,4 @@
-"""The strict ruler of feet: how far a sole goes over the ground while it touches it, however fast.
+"""Measurement of foot sliding: how far a sole moves over the ground during contact.
 
 Unlike what plants the feet, this asks nothing about speed or about which foot ought to stand: a toe that scuffs before
 it lifts counts as much as a heel that skids.

@@ -1,4 +1,4 @@
-"""How people walk who feel so: six styles as numbers that :func:`cloner.motion.moves.gait.walk` walks with.
+"""Six emotional styles of walking as parameters of :func:`cloner.motion.moves.gait.walk`.
 
 The six are the five of ViCrowd and "afraid". What differs follows the literature in kind, and is taste in size: sad is
 slow and short of step, slouched, arms still; happy steps long, bounces and swings its arms; anger is fast and stamps;

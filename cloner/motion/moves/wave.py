@@ -1,4 +1,4 @@
-"""A greeting: who stands idly lifts the right arm and waves, as our own angles have it."""
+"""A greeting: an idle stance with the right arm raised and waving."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""A plan becomes walls, surfaces, charts of light, and files."""
+"""From a plan to walls, surfaces, light-map charts and files."""

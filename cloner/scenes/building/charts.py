@@ -1,4 +1,4 @@
-"""Where each panel's light lies in the one light map, and the grids on which light is worked out.
+"""The layout of panels in the light map, and the grids on which light is computed.
 
 A chart's outer texels have their middles on the panel's borders, so neighbours that meet there are asked for light at
 the same places, and a linear lookup never reaches beyond; two more texels repeat them, for what is drawn from afar.

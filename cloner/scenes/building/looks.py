@@ -1,4 +1,4 @@
-"""What floors, walls and blocks look like: procedural textures, of which colours and patterns are taste, and photos."""
+"""Appearance of floors, walls and blocks: procedural textures and photos."""
 
 from __future__ import annotations
 

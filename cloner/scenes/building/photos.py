@@ -1,4 +1,4 @@
-"""Photos of walls, floors and paintings put straight: what lies between four corners, as textures sized in metres.
+"""Rectified photos of walls, floors and paintings, as textures with a size in metres.
 
 A flat surface and its photo are one homography apart, which four corners tell.
 

@@ -1,4 +1,4 @@
-"""Walls, pillars, blocks and vaults as rectangles, and as boxes that tell what is solid.
+"""Walls, pillars, blocks and vaults as rectangles, and as boxes for solidity.
 
 Frame: metres, X to the right, Y up, Z towards the viewer; the plan's y is -Z.
 """

@@ -1,4 +1,4 @@
-"""What a room is made of: floors, walls with openings, pillars, lamps, photographs; metres on the plan.
+"""The records of a plan: floors, walls with openings, pillars, lamps, photographs; metres.
 
 The plan's frame is that of scenarios (`docs/behaviour.md`): x to the right, y up on the plan, heights above the floor.
 """

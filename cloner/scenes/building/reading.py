@@ -1,4 +1,4 @@
-"""A room's plan as a readable file; `docs/scenes.md` has its tables."""
+"""A plan read from a text file; `docs/scenes.md` describes its tables."""
 
 from __future__ import annotations
 

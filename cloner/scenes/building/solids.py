@@ -1,4 +1,4 @@
-"""A plan as surfaces: panels that are drawn and hold light, and quads that stop rays.
+"""A plan as surfaces: panels that are drawn and lit, and quads that block rays.
 
 Frame of everything from here on: metres, X to the right, Y up, Z towards the viewer; the plan's y is -Z. A *panel* is a
 flat rectangle with holes; all level faces that touch in one plane are one panel, so that no light map has a seam in

@@ -1,4 +1,4 @@
-"""Where a visitor of the page may walk: a raster of the floors less what stands on them."""
+"""The walkable area of a page's visitor: a raster of the floors without obstacles."""
 
 from __future__ import annotations
 

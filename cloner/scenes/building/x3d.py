@@ -1,4 +1,4 @@
-"""A room as X3D: base times light, two textures on two sets of coordinates, as browsers of X3D show it.
+"""A room as X3D: base texture times light map, with two sets of texture coordinates.
 
 The light map lies in the room's folder (``light.png``, white standing for 2). ``MODULATE2X`` doubles coded values: 1.2
 stops more than the map says, about what a room's exposure adds (``crowd/staged/daylight.py``).

@@ -1,1 +1,1 @@
-"""The language of films: lines become footings of clones, light and cameras."""
+"""The film language: lines become footings of clones, light and cameras."""

@@ -1,4 +1,4 @@
-"""What a film's ear hears: sounds from where they are, near ones louder, left or right, with the room's echo."""
+"""Spatial sound of a film: distance, direction and the room's echo at the camera."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The language of films: who stands where, and what happens when; lines that read like a scenario's.
+"""The film language: placement and timed events, one line each.
 
 `docs/scenes.md` has every statement. Places are the plan's: metres, x to the right, y up, then height above the floor.
 """

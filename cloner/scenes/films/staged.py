@@ -1,4 +1,4 @@
-"""A film's lines become footings of clones and keys of light and cameras."""
+"""A film's lines compiled to footings of clones and keys of light and cameras."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Steps in a film: a heel whenever a foot comes down, from where that is; the sound that ``web/sound.js`` makes."""
+"""Footsteps of a film, at the time and place of each heel strike; the same sound as ``web/sound.js``."""
 
 from __future__ import annotations
 

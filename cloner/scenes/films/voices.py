@@ -1,4 +1,4 @@
-"""What is said in a film: files beside it become faces that move and sounds of the page and the film."""
+"""Speech of a film: sound files become facial motion, and sound in the page and the film."""
 
 from __future__ import annotations
 

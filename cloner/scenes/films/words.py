@@ -1,4 +1,4 @@
-"""The words of a line, taken one after another; what does not fit is told with line, column and what was expected."""
+"""The tokens of a line; errors give line, column and what was expected."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Light and sound in a room: rays, direct light, light maps, probes, echoes."""
+"""Light and sound of a room: rays, direct light, light maps, probes, echoes."""

@@ -1,4 +1,4 @@
-"""Light straight from the sun and the lamps on a panel's fine grid."""
+"""Direct light of the sun and the lamps on a panel's fine grid."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a room sounds: impulse responses from rays against the same surfaces that light uses.
+"""Acoustics of a room: impulse responses by ray tracing against the light's surfaces.
 
 Rays leave a place evenly, lose what each surface takes, and go on diffusely (Lambert). From wherever they hit, part of
 their energy comes straight to the ear if it is seen ("diffuse rain"). The energy of each millisecond shapes noise: what

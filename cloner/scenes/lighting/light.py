@@ -1,4 +1,4 @@
-"""Light maps by path tracing's direct part and a radiosity of what comes back from all surfaces.
+"""Light maps: direct light by ray tracing, and indirect light by radiosity.
 
 Sun and lamps are worked out for every texel; the sky and light that comes over other surfaces changes slowly and is
 gathered on a coarser lattice, by rays of equal weight for cosines. What the rays meet is kept, so that every further

@@ -1,4 +1,4 @@
-"""Light probes: how light comes to a place from everywhere, in two bands of spherical harmonics, for figures.
+"""Light probes for figures: incoming light in two bands of spherical harmonics.
 
 A probe's row is four numbers a colour, so that a surface of unit normal n gets E(n) = c0 + c . n (what is below nothing
 is nothing): cosines keep these bands of the light around best (Ramamoorthi and Hanrahan 2001). The sun would be smeared

@@ -1,4 +1,4 @@
-"""Rays against the flat quads of a room: many from one place at a time, so that most quads drop out at once.
+"""Ray casting against the flat quads of a room, many rays from one origin at a time.
 
 A ray from a place meets only quads that face it (solids are closed), and of those only what lies on its side of the
 surface: of some hundred quads a few dozen remain, and planes, coordinates and distances are three matrix products.

@@ -1,1 +1,1 @@
-"""Scenes that go on while browsers show them."""
+"""Scenes that run while browsers show them."""

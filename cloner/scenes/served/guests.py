@@ -1,4 +1,4 @@
-"""Who walks along in a page is in the scene: a guest of the scenario, as long as the page says where."""
+"""Visitors who walk in a page as guests of the scenario."""
 
 from __future__ import annotations
 

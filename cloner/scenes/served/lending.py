@@ -1,4 +1,4 @@
-"""Booths that share one scene: each lends its visitors' clones to the booth that serves it, and has them back at once.
+"""Booths that share one scene: each lends its visitors' clones to the serving booth and can withdraw them at once.
 
 The serving booth opens a second port where that is asked, behind a token of its own: what pages may say is small, a
 clone has megabytes. The other booth makes clones ready, sends them, and says who is gone; when the link ends, by

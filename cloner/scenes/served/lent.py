@@ -1,4 +1,4 @@
-"""A clone that another booth lends to a scene: what is said of it and its files, looked at before any page gets them.
+"""Validation of a clone that another booth lends, before any page receives it.
 
 Nothing of it is written; it is gone with the other booth's link, at the latest.
 """

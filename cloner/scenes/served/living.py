@@ -1,4 +1,4 @@
-"""A built scene that goes on while it is shown: its minds, who has come into it, and what pages are told.
+"""A running scene: its minds, newcomers, and messages to pages.
 
 Pages are told what happens in order: what came from outside before which step, so that their engines do the same steps;
 who comes and goes; which statue awakes. Who opens a page later, or again, is told first how things stand. Nothing of a

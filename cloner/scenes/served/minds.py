@@ -1,4 +1,4 @@
-"""A scenario that goes on by the clock, told as footings: minds decide a little ahead of what is shown.
+"""A scenario in real time, as footings computed slightly ahead of what is shown.
 
 The world is `HEAD_S` seconds ahead of whoever watches: it is known where everybody goes when the feet have to set out,
 and orders are seen after as long.

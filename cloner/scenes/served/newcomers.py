@@ -1,4 +1,4 @@
-"""A clone that comes while a scene is shown: its files as a pack has them.
+"""A clone that joins a running scene: its files in a pack's formats.
 
 A newcomer is seen from near or small, never as an impostor: baking those takes longer than anybody waits (16 s of two
 busy cores; the rest 4 s).

@@ -1,4 +1,4 @@
-"""The command ``cloner scene serve``: a built scene in browsers of this machine, or of one network where that is asked.
+"""The command ``cloner scene serve``: a built scene in browsers of this machine, or of one network on request.
 
 One server, one port: the page and newcomers' files over HTTP, what happens over a WebSocket. Everything lies behind a
 token that nobody can guess; other addresses, other hosts' names and other pages' sockets get an empty refusal. Pages

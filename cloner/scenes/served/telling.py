@@ -1,4 +1,4 @@
-"""What pages of a served scene are told of steps, and what a pack says of its page."""
+"""Messages of a served scene to its pages, and a pack's description of its page."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The engine of cloth: `engine.wasm`, made of the AssemblyScript here."""
+"""The cloth engine: `engine.wasm`, compiled from the AssemblyScript here."""

@@ -1,4 +1,4 @@
-"""The engine of cloth in Python, its arrays NumPy's (`cloner.webassembly.instances`)."""
+"""The cloth engine in Python, with its arrays in NumPy (`cloner.webassembly.instances`)."""
 
 from __future__ import annotations
 
