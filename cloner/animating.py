@@ -112,7 +112,7 @@ def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool, emotion: str)
 
 
 def _score_of(clone: Clone, speech: Path, emotion: str, duration_s: float) -> Score:
-    """Return what the face does beside a speech: the score of its name, else its mood."""
+    """Return the facial score beside a speech: the file of its name, else its mood."""
     beside = speech.with_suffix(SCORE)
     if beside.is_file():
         return read_score(beside, clone.morph_names)

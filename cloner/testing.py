@@ -27,12 +27,12 @@ STAGE_NAMES = tuple(stage.name for stage in pipeline.STAGES)
 
 
 def first_values(photos: PhotoSet, person: Person, corrections: Corrections | None = None) -> Values:
-    """Return what a clone starts from, without corrections unless told."""
+    """Return the initial values of a clone, without corrections unless given."""
     return {"photos": photos, "person": person, "corrections": corrections or no_corrections()}
 
 
 def folder_values(folder: Path, corrections: Corrections | None = None) -> Values:
-    """Return what the clone of a folder starts from; ``corrections.json`` beside the photos does not count."""
+    """Return the initial values of the clone of a folder; ``corrections.json`` beside the photos is ignored."""
     return first_values(load_photos(folder), read_person(folder), corrections)
 
 

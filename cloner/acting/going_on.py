@@ -18,7 +18,7 @@ from cloner.crowd.staged.footing import Acted
 
 @dataclass(frozen=True, slots=True)
 class GoingOn:
-    """What lets a scenario go on: files of a pack, and what ``crowd.json`` says of it."""
+    """What a page needs to continue a scenario: files of a pack, and their entry in ``crowd.json``."""
 
     files: Mapping[str, bytes]
     facts: Mapping[str, Any]
@@ -41,7 +41,7 @@ def welcoming(text: str, where: str = "scenario") -> str:
 
 
 def going_on(text: str, seed: int, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> GoingOn:
-    """Return what lets a scenario go on whose people act.
+    """Return what a page needs to continue a scenario.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ class RoomParts:
 
 @dataclass(frozen=True, slots=True)
 class SpokenParts:
-    """What is said, for a pack: files by name, and what ``crowd.json`` says of it."""
+    """Speech of a pack: files by name, and their entry in ``crowd.json``."""
 
     files: Mapping[str, bytes]
     facts: Mapping[str, Any]
@@ -161,7 +161,7 @@ def write_acted(
 
 
 def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float]]]:
-    """Return where the eye stands and looks in the page's three views of people between two corners of the plan."""
+    """Return the cameras of the page's three views of the people between two corners of the plan."""
     x, z, wide = (low[0] + high[0]) / 2.0, -(low[1] + high[1]) / 2.0, max(float((high - low).max()), 4.0)
     front = -float(low[1])
     views = {

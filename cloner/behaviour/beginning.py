@@ -15,7 +15,7 @@ _MADE: Final = {"others", "distance", "fields", "told"}
 
 
 def beginning(world: World) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return what ``crowd/web/engine.js`` needs to begin as a world did, which has made no step.
+    """Return the initial state of a world that has made no step, for ``crowd/web/engine.js``.
 
     Returns
     -------

@@ -66,7 +66,7 @@ class Feet:
     spare: int = 0
 
     def counts(self) -> dict[str, int]:
-        """Return how many there are of what the engine has to know."""
+        """Return the counts that the engine needs."""
         looks, clips = self.clips.shape[:2]
         return {"looks": looks + self.spare, "clips": clips, "frames": KEPT}
 
@@ -127,7 +127,7 @@ def taken(core: Core) -> dict[int, Rows]:
 
 
 def _last_told(rows: Rows) -> Rows:
-    """Return footings less those that are told again, longer."""
+    """Return footings without those that are reported again, extended."""
     return np.asarray(rows[np.append(rows[1:, 0] != rows[:-1, 0], True)])
 
 

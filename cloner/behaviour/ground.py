@@ -143,7 +143,7 @@ def _walls(floors: Sequence[Array], obstacles: Sequence[Array]) -> Array:
 
 
 def _cuts(start: Array, end: Array, edges: Array) -> list[float]:
-    """Return where, 0..1, an edge is crossed or touched by others."""
+    """Return the parameters 0..1 at which other edges cross or touch an edge."""
     along = end - start
     first, across = edges[:, :2] - start, edges[:, 2:] - edges[:, :2]
     turn = along[0] * across[:, 1] - along[1] * across[:, 0]

@@ -37,6 +37,6 @@ def leave(world: World, who: int) -> None:
 
 
 def guests(world: World) -> int:
-    """Return how many guests are there."""
+    """Return the number of guests."""
     outside = world.core.arrays["home_flags"][world.people.home] & _OUTSIDE
     return int((world.bodies.present & (outside != 0)).sum())

@@ -125,7 +125,7 @@ def guided(world: World, desk: Desk, seconds: float, pace: Callable[[float], Non
 
 
 def by_the_clock() -> Callable[[float], None]:
-    """Return what waits until the clock has come to a time; a step that took longer delays all that follow."""
+    """Return a function that waits for a time of the clock; a late step delays all that follow."""
     begun = time.monotonic()
 
     def wait(at_s: float) -> None:
@@ -156,7 +156,7 @@ def _answer(world: World, message: dict[str, Any]) -> dict[str, Any]:
 
 
 def _seen(world: World) -> dict[str, Any]:
-    """Return who is there: number, group, place (x, y) in metres, facing, posture, emotion; and what was told."""
+    """Return everybody's number, group, place (x, y) in metres, facing, posture and emotion, and the messages."""
     people, scenario = world.people, world.scenario
     shown = []
     for k in world.bodies.present.nonzero()[0]:
@@ -176,7 +176,7 @@ def _seen(world: World) -> dict[str, Any]:
 
 
 def _receive(desk: Desk, guest: Any) -> None:
-    """Serve one guide until it or the scenario ends; whatever it sends, the loop goes on."""
+    """Serve one guide until it or the scenario ends; whatever it sends, the loop continues."""
     from websockets.exceptions import ConnectionClosed
 
     if not desk.places.acquire(blocking=False):
@@ -221,7 +221,7 @@ def _asked(desk: Desk, said: str | bytes) -> dict[str, Any]:
 
 
 def read_message(said: str | bytes) -> dict[str, Any]:
-    """Return what a guide says.
+    """Return the content of a guide's message.
 
     Raises
     ------

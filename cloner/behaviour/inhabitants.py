@@ -40,7 +40,7 @@ def people_of(scenario: Scenario, seed: int, count: int) -> Tables:
 
 
 def _emotions(scenario: Scenario, home: Indices, seed: int) -> Indices:
-    """Return what each feels: of each group so many percent, to one person exactly, as said; the others another."""
+    """Return each person's emotion: the given percentage of each group, exact to one person; the others another one."""
     names = [one.name for one in scenario.emotions]
     found = np.zeros(len(home), np.int64)
     for number, group in enumerate(scenario.groups):

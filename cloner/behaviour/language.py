@@ -242,7 +242,7 @@ def _explained(error: UnexpectedInput, text: str, where: str) -> ClonerError:
 
 
 def _called(terminal: str) -> str:
-    """Return how an operator would call a terminal."""
+    """Return an operator's name for a terminal symbol."""
     if terminal in CALLED:
         return CALLED[terminal]
     pattern = next((one.pattern for one in _parser().terminals if one.name == terminal), None)

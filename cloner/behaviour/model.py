@@ -16,7 +16,7 @@ XY = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A place to pass (IP), or to act at (AP) if ``act`` says what; it ``holds`` so many people, 0 for any number."""
+    """A place to pass (IP), or to act at (AP) if ``act`` is given; its capacity ``holds``, 0 for unlimited."""
 
     name: str
     at: XY
@@ -141,7 +141,7 @@ VERBS: Final = {
 
 @dataclass(frozen=True, slots=True)
 class When:
-    """What lets a rule act.
+    """The condition of a rule.
 
     ``kind`` is "at" (``seconds``), "event" (``what``), "sees" (``what`` is a thing, if need be ``awake``, or a group),
     "sees feeling" (``what`` is an emotion of others), "is" (an emotion of their own) or "reaches" (a point).
@@ -176,5 +176,5 @@ class Scenario:
     scene: str = field(default="")
 
     def people(self) -> int:
-        """Return how many people there are."""
+        """Return the number of people."""
         return sum(one.people for one in self.groups)

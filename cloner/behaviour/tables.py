@@ -61,7 +61,7 @@ class Names:
         return verb, *self._whose(action.who), what, action.count
 
     def condition(self, when: When) -> tuple[int, int, int, int, int]:
-        """Return what lets a rule act as the first numbers of its row: kind, who, whose, what, whether awake."""
+        """Return a rule's condition as the first numbers of its row: kind, who, whose, what, whether awake."""
         kind, what = when.kind, -1
         if kind == "event":
             what = self.events.index(when.what)
@@ -171,7 +171,7 @@ def _places(scenario: Scenario, names: Names, ground: Ground) -> Tables:
 
 
 def _spots(ground: Ground, region: Mask) -> Array:
-    """Return where one can stand in a region, `APART_M` apart, (k, 2)."""
+    """Return places to stand in a region, `APART_M` apart, (k, 2)."""
     every = round(APART_M / CELL_M)
     row, column = np.nonzero(region & (ground.clear >= BODY_M))
     if not len(row):
@@ -201,7 +201,7 @@ def _by_distance(spots: Array, middle: Array) -> NDArray[np.int64]:
 
 
 def _counters(ground: Ground, middles: Array) -> Array:
-    """Return where one stands to be served at each point, (p, 2)."""
+    """Return the place to be served at each point, (p, 2)."""
     row, column = np.nonzero(ground.clear >= _SERVED_M)
     at = ground.middles(row, column)
     found = np.zeros((len(middles), 2))
@@ -228,5 +228,5 @@ def _rules(scenario: Scenario, names: Names) -> Tables:
 
 
 def _ends(lists: Sequence[Sequence[Any] | NDArray[Any]]) -> NDArray[np.int64]:
-    """Return where each list begins when all are one, and where the last ends."""
+    """Return the offsets of concatenated lists, and the end of the last."""
     return np.cumsum([0, *map(len, lists)])

@@ -140,7 +140,7 @@ def _sums(found: NDArray[np.int32]) -> NDArray[np.int32]:
 
 
 def unpack(data: bytes) -> Trajectories:
-    """Return what :func:`pack` packed.
+    """Return the trajectories of :func:`pack`'s bytes.
 
     Raises
     ------

@@ -58,7 +58,7 @@ class Bodies:
 
 
 def bodies_on(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, period_m: float = 0.0) -> Bodies:
-    """Return people who stand on a ground at places (n, 2), with no goal, in a world of so many places to go to.
+    """Return people standing on a ground at places (n, 2), without goals, in a world with some number of destinations.
 
     With a period the world repeats along x: a corridor is a ring.
     """

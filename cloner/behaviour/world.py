@@ -138,7 +138,9 @@ class World:
         return np.flatnonzero((homes == home) & self.bodies.present)
 
     def distances(self, place: int) -> Array:
-        """Return how far each cell is from a place's region, round all obstacles, (rows, cols) metres; inf: no way."""
+        """Return the walking distance (rows, cols) of each cell from a place's region, metres; inf where there is no
+        way.
+        """
         self.core.call("lead", place)
         return np.array(self.core.arrays["distance"])
 
@@ -195,7 +197,7 @@ def _xy(place: Array) -> tuple[float, float]:
 
 
 def _counts(ground: Ground, tables: Tables, people: int) -> dict[str, int]:
-    """Return how many there are of everything; as many bands may come by splitting as there are people."""
+    """Return the sizes of all tables; splitting can make as many groups as there are people."""
     rows, cols, reach = ground.near.shape
     places, things = len(tables["place_middle"]), len(tables["thing_place"])
     bands, longest = tables["visits"].shape
@@ -211,7 +213,7 @@ def _counts(ground: Ground, tables: Tables, people: int) -> dict[str, int]:
 
 
 def _begin_at(world: World) -> Array:
-    """Return where each person begins: in the region asked for, else anywhere, no two on one spot."""
+    """Return each person's starting place: in the requested region, else anywhere, without duplicates."""
     scenario, ground, seed = world.scenario, world.ground, world.seed
     wide = int(np.ceil(2.5 * BODY_M / CELL_M))
     stands = ground.clear >= BODY_M

@@ -28,7 +28,7 @@ LONGEST_S: Final = 86_400.0
 
 
 def check_file(path: Path) -> list[str]:
-    """Return what a scenario holds, line by line.
+    """Return the contents of a scenario, line by line.
 
     Raises
     ------
@@ -54,7 +54,7 @@ def check_file(path: Path) -> list[str]:
 
 
 def _check_ways(world: World, where: str) -> None:
-    """Refuse a scenario in which somebody cannot reach a place that is asked of him."""
+    """Refuse a scenario in which somebody cannot reach a requested place."""
     row, column = world.ground.cells(world.bodies.place)
     names = [one.name for one in world.places]
     asked = {names.index(point) for group in world.scenario.groups for point in group.visits}
@@ -72,7 +72,7 @@ def run_file(
     path: Path, out: Path, *, seconds: float, seed: int = 0, picture: Path | None = None, film: Path | None = None,
     progress: Progress = no_progress,
 ) -> list[str]:  # fmt: skip
-    """Run a scenario, write trajectories, and if asked a still of the end or a film; return what to say of it.
+    """Run a scenario, write trajectories and, if requested, a final still or a film; return a report.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def _ready(path: Path, out: Path, seconds: float, seed: int) -> World:
 
 
 def recorded(world: World, seconds: float, progress: Progress = no_progress) -> Trajectories:
-    """Return what happens in a world in some seconds."""
+    """Return the trajectories of a world over some seconds."""
     recorder = Recorder()
     recorder.look(world)
     for now in run(world, seconds):
@@ -149,7 +149,7 @@ def recorded(world: World, seconds: float, progress: Progress = no_progress) -> 
 
 
 def draw_files(scenario: Scenario, walk: Trajectories, picture: Path | None, film: Path | None) -> None:
-    """Write the last moment as a picture and everything as a film, if asked."""
+    """Write the last moment as a picture and everything as a film, if requested."""
     plan = Plan(scenario)
     if picture is not None:
         write_bytes(picture, png_bytes(plan.draw(walk, len(walk.place) - 1)))

@@ -87,7 +87,7 @@ def _hands(generic: GenericHuman) -> Flags:
 
 
 def _skin_coloured(generic: GenericHuman, clone: Clone, bare: Flags) -> Flags:
-    """Return (V,) what has about the colour of the person's face, neck and hands; labels take tan cloth for skin."""
+    """Return which vertices (V,) have the colour of face, neck and hands; labels can take tan cloth for skin."""
     colours = np.maximum(vertex_rgb(generic, clone.atlas.rgb), 1.0)
     known = bare & (generic.region("face") | generic.region("neck") | _hands(generic))
     if not known.any():

@@ -118,7 +118,7 @@ def _is_below(generic: GenericHuman, row: int, name: str) -> bool:
 
 
 def head_joints(generic: GenericHuman) -> Array:
-    """Return (94,) how far each joint belongs to the head: the neck's in steps, those above fully."""
+    """Return the weight (94,) with which each joint belongs to the head: the neck's partly, those above fully."""
     shares = np.zeros(len(generic.joint_names))
     for row, name in enumerate(NECK):
         shares[generic.joint(name)] = row / len(NECK)

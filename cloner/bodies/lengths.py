@@ -56,7 +56,7 @@ def _share(generic: GenericHuman, *names: str) -> Array:
 
 
 def _levels(vertices: Array, joints: Array, rules: TapeRules, gap_m: Mapping[str, float]) -> Array:
-    """Return (V, 3) how far levels go up: as told at their heights, not at all at the feet and in the head."""
+    """Return vertical displacements (V, 3): the given ones at their heights, zero at feet and head."""
     generic, step = load_generic(), np.zeros_like(vertices)
     if not gap_m:
         return step
@@ -86,7 +86,7 @@ def _levels(vertices: Array, joints: Array, rules: TapeRules, gap_m: Mapping[str
 
 
 def _apart(vertices: Array, rules: TapeRules, by_m: float) -> Array:
-    """Return (V, 3) how shoulders and arms go ``by_m`` outward, the trunk between them in proportion."""
+    """Return displacements (V, 3) of shoulders and arms outward by ``by_m``, the trunk between in proportion."""
     generic, step = load_generic(), np.zeros_like(vertices)
     tip = vertices[rules.points["acromion_left"]]
     low = float(vertices[list(rules.level_vertices["underbust"]), 1].mean())
@@ -99,7 +99,7 @@ def _apart(vertices: Array, rules: TapeRules, by_m: float) -> Array:
 
 
 def _longer(joints: Array, vertices: Array, by_m: float) -> Array:
-    """Return (V, 3) how arms grow along their bones, shares by the bones' lengths; hands go with them."""
+    """Return displacements (V, 3) of arms along their bones, in proportion to the bones' lengths; hands follow."""
     generic, step = load_generic(), np.zeros_like(vertices)
     for side in SIDES:
         chain = joints[[generic.joint(f"{side[0]}_{name}") for name in ("shoulder", "elbow", "wrist")]]

@@ -70,7 +70,7 @@ def figure(told: BodySpecification) -> BodyMesh:
 
 
 def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
-    """Return a clone changed to new measures of the body under its clothes, and else as little as may be.
+    """Return a clone changed to new measures of the body under its clothes, and as little as possible otherwise.
 
     The surface of a clone is that of its clothes: each told measure moves it by what the body itself changes.
 
@@ -111,7 +111,7 @@ def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
 
 
 def scaled_clone(clone: Clone, scale: float) -> Clone:
-    """Return a clone so many times as large in everything that is told in metres."""
+    """Return a clone with all lengths scaled."""
     if scale == 1.0:
         return clone
     return replace(

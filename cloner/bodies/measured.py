@@ -38,7 +38,7 @@ LIKELY: Final = (
 
 
 def measured_body(told: BodySpecification) -> BodyMesh:
-    """Return the likeliest body with the told measures, soles on y = 0.
+    """Return the most likely body with the given measures, soles on y = 0.
 
     Raises
     ------
@@ -55,7 +55,7 @@ def measured_body(told: BodySpecification) -> BodyMesh:
 
 
 def remeasured_body(body: BodyMesh, told: BodySpecification) -> BodyMesh:
-    """Return a known body changed as little as the told measures ask for, soles on y = 0.
+    """Return a body with new measures, changed as little as possible, soles on y = 0.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
 def _likely(
     body: BodyMesh, told: BodySpecification, untold: Mapping[str, tuple[float, float]], rules: TapeRules
 ) -> BodyMesh:
-    """Return the body with unlikely untold measures brought near the likeliest, as far as those told stay met."""
+    """Return the body with unlikely other measures brought closer to likely ones, as far as the given ones stay met."""
     usual = {key: pair for key, pair in untold.items() if key in (*GIRTHS, *LENGTHS)}
     shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=told.seat).mm
     far = {

@@ -109,7 +109,7 @@ def _trunk_field(
 
 
 def _narrowed(key: str, planes: Planes, told: tuple[str, ...]) -> float:
-    """Return half the reach of a girth's field: no farther than the next told tape on the same part."""
+    """Return half the range of a girth's field: no farther than the next given girth on the same part."""
     own = planes[key][0]
     axis = own.normal / np.linalg.norm(own.normal)
     away = [

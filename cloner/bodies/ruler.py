@@ -38,7 +38,7 @@ class Reading:
 def tapes(
     vertices_m: Array, joints_m: Array, rules: TapeRules, keys: Collection[str], *, seat: bool
 ) -> dict[str, tuple[Plane, ...]]:
-    """Return where the tape lies for each girth; with ``seat`` the hip's lies over the buttocks, wherever it is widest.
+    """Return the tape planes of each girth; with ``seat`` the hip's plane is over the buttocks, wherever it is widest.
 
     The product's ruler takes the widest between crotch and navel, which is the belly where the waist exceeds the hips.
     """
@@ -83,7 +83,7 @@ def read(
 
 
 def girth_slopes(vertices_m: Array, modes_m: Modes, planes: Iterable[Plane], level_modes_m: Array) -> Array:
-    """Return (C,) how a girth in mm changes with each mode; the hull's corners are held: exact for small steps.
+    """Return the derivatives (C,) of a girth, mm, by each mode, with fixed hull corners: exact for small steps.
 
     Parameters
     ----------
@@ -123,7 +123,9 @@ def _hull_slopes(vertices_m: Array, modes_m: Modes, plane: Plane, level_modes_m:
 
 
 def _crossings(ends_m: Array, point_m: Array, axis: Array, rise_m: Array) -> Array:
-    """Return (B, E, 3) where edges (B, E, 2, 3) cross planes that stand ``rise_m`` (B,) farther along the axis."""
+    """Return the intersections (B, E, 3) of edges (B, E, 2, 3) with planes shifted by ``rise_m`` (B,)
+    along the axis.
+    """
     side = (ends_m - point_m) @ axis - rise_m[:, None, None]
     gap = side[..., 0] - side[..., 1]
     share = side[..., 0] / np.where(np.abs(gap) < 1e-9, 1e-9, gap)
@@ -131,7 +133,7 @@ def _crossings(ends_m: Array, point_m: Array, axis: Array, rise_m: Array) -> Arr
 
 
 def level_slopes(modes_m: Modes, rules: TapeRules, key: str) -> Array:
-    """Return (C,) how far a girth's level goes up with each mode, metres; 0 where the level is searched for."""
+    """Return the derivatives (C,) of a girth's level by each mode, metres; 0 where the level is searched for."""
     names = {
         "neck_girth": "neck", "bust_girth": "chest", "underbust_girth": "underbust", "navel_girth": "waist",
         "waist_girth": "natural_waist",
@@ -149,7 +151,7 @@ def level_slopes(modes_m: Modes, rules: TapeRules, key: str) -> Array:
 
 
 def length_slopes(vertices_m: Array, modes_m: Modes, rules: TapeRules, key: str) -> Array:
-    """Return (C,) how a length in mm changes with each mode, by straight lines between its points."""
+    """Return the derivatives (C,) of a length, mm, by each mode, along straight lines between its points."""
     still = _straight_mm(vertices_m[None], rules, key)[0]
     rows = _rows(rules, key)
     moved = vertices_m[None, rows] + np.asarray(modes_m[:, rows], dtype=np.float64)

@@ -142,7 +142,7 @@ def refused(key: str, error_mm: float, wanted_mm: float) -> ClonerError:
 
 
 def untold_mm(told: BodySpecification) -> dict[str, tuple[float, float]]:
-    """Return the likeliest value and the spread of every measure beside those told, mm."""
+    """Return the most likely value and the standard deviation of every measure that is not given, mm."""
     alike = people(told.sex, told.age_years).told(told.stature_m, told.mm)
     deviation = told.stature_m * np.sqrt(np.maximum(np.diag(alike.covariance), 0.0))
     values = told.stature_m * alike.mean

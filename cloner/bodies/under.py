@@ -96,7 +96,7 @@ def _fitted(
 
 
 def _girth(body: BodyMesh, family: Family, reading: Reading, key: str) -> Array:
-    """Return (C,) how a girth changes with each mode, mm."""
+    """Return the derivatives (C,) of a girth by each mode, mm."""
     rise = level_slopes(family.modes_m, load_tape_rules(), key)
     return girth_slopes(body.vertices_m, family.modes_m, reading.planes[key], rise)
 

@@ -43,7 +43,7 @@ def body_folder(
     source: Path | None = None,
     progress: Progress = no_progress,
 ) -> tuple[Path, tuple[str, ...]]:
-    """Make a body of told measures, or tell a clone new ones, and write it; return its folder and what to say of it.
+    """Make a body of given measures, or change a clone's, and write it; return its folder and a report.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def body_folder(
 def _told(
     sex: str, stature_cm: float | None, measures_cm: Mapping[str, float], age_years: float, old: Clone | None
 ) -> BodySpecification:
-    """Return what is told of a new body, or of a clone, which keeps its stature and sex where they are not told."""
+    """Return the specification of a new body, or of a clone, which keeps its stature and sex by default."""
     stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
     whose = sex or (sex_of(old) if old is not None else "")
     return BodySpecification(whose, stature_m, _tape(measures_cm, stature_m), age_years)
@@ -114,7 +114,7 @@ def sex_of(clone: Clone) -> str:
 
 
 def _stamp(told: BodySpecification, identifier: str, size: int, old: Clone | None) -> str:
-    """Return what every file says of how it was made; a changed clone keeps what tells whose it is."""
+    """Return the stamp of every file; a changed clone keeps the link to its visitor."""
     changed = ", ".join(f"{key.replace('_', ' ')} {value:.1f}" for key, value in told.mm.items())
     if old is not None:
         return f"{old.stamp}, told {changed}"[:400]
@@ -123,7 +123,7 @@ def _stamp(told: BodySpecification, identifier: str, size: int, old: Clone | Non
 
 
 def _said(clone: Clone, told: BodySpecification, old: Clone | None) -> tuple[str, ...]:
-    """Return one line a told measure, and what of the untold ones is unlikely."""
+    """Return one line per given measure, and the unlikely ones among the others."""
     shown = read(clone.vertices_m, clone.joints_m, load_tape_rules(), tuple(told.mm), clone.sole_m, seat=told.seat).mm
     lines = [
         f"{key}: told {value / 10.0:.1f} cm, the mesh shows {shown[key] / 10.0:.1f}" for key, value in told.mm.items()

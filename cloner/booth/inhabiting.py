@@ -11,7 +11,7 @@ from cloner.booth.stage import inhabiting_clones, result_of
 
 
 def finished_clones(folder: Path) -> Path | Callable[[], tuple[Path, ...]]:
-    """Return what finds the clones that may be shown: of an event those of visitors who agreed to it.
+    """Return a finder of clones that may be shown: of an event those of visitors who agreed.
 
     A folder of results is returned as it is; who has recorded no consent is left out later.
     """
@@ -21,7 +21,7 @@ def finished_clones(folder: Path) -> Path | Callable[[], tuple[Path, ...]]:
 
 
 def number_asked(folder: Path) -> Callable[[str], bool] | None:
-    """Return what says whether a number is the event's, None where it has none.
+    """Return a check of whether a number is the event's PIN, None where it has none.
 
     Raises
     ------

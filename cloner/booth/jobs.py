@@ -40,7 +40,7 @@ _ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "surfaces", "
 
 
 class Jobs:
-    """What a worker's process can be asked for; every method gets a progress callable that may raise Cancelled.
+    """Requests to a worker process; every method takes a progress callable that may raise Cancelled.
 
     Parameters
     ----------

@@ -33,12 +33,12 @@ def _cloned(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
 
 
 def result_of(folder: Path) -> Path:
-    """Return where a visitor's clone lies."""
+    """Return the folder of a visitor's clone."""
     return folder / RESULTS / safe_identifier(folder.name)
 
 
 def public_name(folder: Path, visit: Visit, name: str) -> str:
-    """Return how a visitor is called where everybody looks: by first name who agreed to be seen, else by number."""
+    """Return a visitor's public name: the first name of those who agreed to be seen, else the number."""
     return (first_name(name) if visit.shown else "") or number_of(folder)
 
 

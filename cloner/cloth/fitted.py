@@ -202,7 +202,7 @@ def _helpers() -> tuple[NDArray[np.int64], Array, Array]:
 
 
 def base_mesh_m(clone: Clone) -> Array:
-    """Return (19158, 3) where the vertices of MakeHuman's base mesh lie on a clone at rest, metres."""
+    """Return the positions (19158, 3) of MakeHuman's base mesh vertices on a clone at rest, metres."""
     near, weight, beside = _helpers()
     skin_m = clone.vertices_m[:SKIN]
     return np.concatenate([skin_m, np.einsum("nk,nka->na", weight, skin_m[near]) + beside])

@@ -23,7 +23,7 @@ MASKED: Final = "under the garment"
 
 
 class _Later(GltfBuffer):
-    """A buffer that goes on where a finished file's ends."""
+    """A buffer that continues a finished file's."""
 
     def __init__(self, gltf: Any, before: bytes) -> None:
         super().__init__(gltf, np.zeros((2, 3)))

@@ -22,7 +22,7 @@ MOST_BYTES: Final = 2 << 30
 
 
 def kept_path(out: Path, number: int) -> Path:
-    """Return where the frames of the ``number``-th garment lie while ``out`` is made: hidden, beside it."""
+    """Return the path of the ``number``-th garment's frames while ``out`` is made: hidden, beside it."""
     return out.with_name(f".{out.name}.{number}.frames")
 
 

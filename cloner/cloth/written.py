@@ -131,7 +131,7 @@ def _worn(
 
 
 def _said(one: Dressed) -> str:
-    """Return what to say of a garment's loop."""
+    """Return a report of a garment's loop."""
     loop = one.loop
     found = f"loop of {len(loop.frames_m)} frames, {one.worn.cloth.count} vertices: gap {loop.gap_mm:.0f} mm"
     return f"{found} (median stretch {loop.median_mm:.0f}), closed by {loop.moved_mm:.0f} mm at most"

@@ -69,7 +69,7 @@ def _photo(
     formats: FormatOption = DEFAULT_FORMATS,
     size: SizeOption = DEFAULT_TEXTURE_SIZE,
 ) -> None:
-    """Lay one photograph on a clone or a mesh by marker points; its texture goes on all round."""
+    """Fit one photograph to a clone or a mesh by markers; its texture is extended all around."""
     from cloner.statues.photographed import photo_folder
 
     with ProgressLine() as progress:

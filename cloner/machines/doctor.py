@@ -102,7 +102,7 @@ def _library(name: str) -> Finding:
 
 
 def _python_command() -> str:
-    """Return how this Python is called from the current folder."""
+    """Return the command that starts this Python from the current folder."""
     program = Path(sys.executable)
     return str(program.relative_to(Path.cwd())) if program.is_relative_to(Path.cwd()) else program.name
 

@@ -150,7 +150,7 @@ def _heard(crew: Sequence[_Worker]) -> list[_Worker]:
 
 
 def _said(worker: _Worker) -> tuple[Any, bool]:
-    """Return what a worker said, and whether it lives."""
+    """Return a worker's message, and whether it is alive."""
     try:
         return worker.pipe.recv(), True
     except (EOFError, OSError):
@@ -166,7 +166,7 @@ def _give(worker: _Worker, one: _Try) -> None:
 
 
 def _end(crew: Sequence[_Worker]) -> None:
-    """End workers; those at work are asked first, so that they leave nothing half-written."""
+    """End workers; busy ones get a signal first, so that they leave nothing half-written."""
     for one in crew:
         one.pipe.close()
         if one.doing is not None:

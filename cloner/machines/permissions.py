@@ -31,7 +31,7 @@ def examine_folder(folder: Path) -> tuple[Finding, ...]:
 
 
 def _closed_above(place: Path) -> bool:
-    """Return whether a folder above lets nobody else through."""
+    """Return whether a folder above is closed to all others."""
     through = stat.S_IXGRP | stat.S_IXOTH
     return any(not parent.stat().st_mode & through for parent in place.parents)
 

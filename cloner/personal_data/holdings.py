@@ -85,7 +85,7 @@ class _Heap:
 
 
 def holdings(photos_root: Path | None, out: Path | None) -> tuple[Holding, ...]:
-    """Return what is held below a root of photos and a folder of results, by identifier.
+    """Return the data held below a root of photos and a folder of results, by identifier.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def _results(out: Path) -> list[Path]:
 
 
 def _with_result(heaps: list[_Heap], result: Path, shared: set[str]) -> list[_Heap]:
-    """Return the heaps with a result laid on the one of its visitor; heaps that it joins become one."""
+    """Return the holdings with a result added to its visitor's; holdings that it links are merged."""
     manifest = read_manifest(result)
     mine = [heap for heap in heaps if _belongs(heap, result, manifest, shared)]
     joined = _Heap({result.name}, [], [result], [])
@@ -172,7 +172,7 @@ def _held(heap: _Heap, photos_root: Path | None, shared: set[str], out: Path | N
 
 
 def holding_of(name: str, photos: Path | None, result: Path | None) -> Holding:
-    """Return what is held of one visitor in a folder of photos and a folder of results."""
+    """Return the data held of one visitor in a folder of photos and a folder of results."""
     return _counted(name, [name], ([photos] if photos else [], [result] if result else [], [], [], []))
 
 
@@ -208,7 +208,7 @@ def _files_of(folder: Path, apart: Sequence[Path]) -> list[Path]:
 
 
 def find_holding(identifier: str, held: Sequence[Holding]) -> Holding:
-    """Return what is held of one visitor.
+    """Return the data held of one visitor.
 
     Raises
     ------
@@ -235,7 +235,7 @@ def photo_digests(folder: Path) -> list[str]:
 
 
 def older_than(held: Sequence[Holding], days: float, now: datetime | None = None) -> tuple[Holding, ...]:
-    """Return what was last changed more than so many days ago."""
+    """Return data last changed more than some number of days ago."""
     limit = (now or datetime.now(UTC)).timestamp() - days * _DAY_S
     return tuple(one for one in held if one.newest.timestamp() < limit)
 

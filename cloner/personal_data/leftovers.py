@@ -83,7 +83,7 @@ def left_of(traces: Traces, roots: Collection[Path]) -> Iterator[str]:
 
 
 def _of_another(folder: Path, traces: Traces) -> set[Path]:
-    """Return what a folder's manifest lists, where it is that of a result of somebody else: that is theirs."""
+    """Return the files of another visitor's result, by its manifest."""
     manifest = read_manifest(folder) if (folder / RESULT_MARK).is_file() else None
     if manifest is None or not traces.digests.keys().isdisjoint(manifest.inputs.values()):
         return set()

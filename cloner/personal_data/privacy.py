@@ -133,7 +133,7 @@ def _delete_films(roots: Sequence[Path], traces: Traces) -> Iterator[str]:
 
 
 def _delete_result(folder: Path) -> Iterator[str]:
-    """Delete a result; of one that holds files of somebody's own only what is listed, the rest is told."""
+    """Delete a result; of one with additional files only what its manifest lists, the rest is reported."""
     foreign, manifest = foreign_files(folder), read_manifest(folder)
     if not foreign:
         yield from _remove(folder)
@@ -184,7 +184,7 @@ def _stays(path: Path, error: OSError) -> str:
 
 
 def _forget_lines(path: Path, names: Iterable[str]) -> Iterator[str]:
-    """Take the lines about a visitor out of a log; in place, because a running window goes on writing into it.
+    """Remove the lines about a visitor from a log, in place, as a running window keeps writing to it.
 
     A link is left alone: what it leads to is somebody else's; so is what is no file.
     """
@@ -209,7 +209,7 @@ def _busy(holding: Holding) -> ClonerError:
 
 
 def _traces(held: Sequence[Holding]) -> Traces:
-    """Return what would tell of visitors."""
+    """Return what would identify visitors."""
     digests: dict[str, int | None] = {}
     names, tokens = {name for holding in held for name in holding.names}, set()
     for folder in [folder for holding in held for folder in holding.results]:

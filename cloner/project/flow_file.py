@@ -36,7 +36,7 @@ def save_flow(flow: Flow, path: Path) -> None:
 
 
 def load_flow(folder: Path, clone: Clone) -> Flow | None:
-    """Return how the cloth of a result's clone flows, None if it wears none that was simulated.
+    """Return the cloth motion of a result's clone, None if it wears nothing simulated.
 
     Raises
     ------

@@ -83,7 +83,7 @@ def view_files(folder: Path) -> dict[ViewId, Path]:
 
 
 def _naming_hint(folder: Path) -> str:
-    """Return what to do about a folder without photos: take the one inside it that has them, or rename."""
+    """Return a hint for a folder without photos: use the one inside it that has them, or rename."""
     inner = [path.name for path in sorted(folder.iterdir()) if holds_photos(path)]
     if inner:
         more = ", ..." if len(inner) > FEW else ""
@@ -122,7 +122,7 @@ def load_photo(path: Path, view: ViewId) -> Photo:
 
 
 def read_person(folder: Path, height_cm: float | None = None, identifier: str | None = None) -> Person:
-    """Return what is known of the person besides the photos.
+    """Return the known facts about the person besides the photos.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
 
 
 def read_consent(folder: Path) -> str:
-    """Return what ``person.toml`` says of the visitor's consent: to what, and when; "" where it says nothing.
+    """Return the consent in ``person.toml``: to what, and when; "" where there is none.
 
     Raises
     ------
@@ -177,7 +177,7 @@ def read_consent(folder: Path) -> str:
 
 
 def read_terms(folder: Path) -> Terms:
-    """Return what ``person.toml`` lets others do with the clone; nothing where it records no consent.
+    """Return the terms in ``person.toml``; none where it records no consent.
 
     Raises
     ------
@@ -201,7 +201,7 @@ def checked_height_m(height_m: float | None) -> tuple[float, bool]:
 
 
 def person_warnings(person: Person) -> tuple[str, ...]:
-    """Return what the report must say about the person's data, in plain words."""
+    """Return warnings about the person's data, in plain words."""
     if person.stature_is_known:
         return ()
     return (
@@ -211,7 +211,7 @@ def person_warnings(person: Person) -> tuple[str, ...]:
 
 
 def photo_warnings(photos: PhotoSet) -> tuple[str, ...]:
-    """Return what the report must say about missing body photos; the head stage tells of the face's."""
+    """Return warnings about missing body photos; the head stage warns about the face's."""
     if not photos.body_views:
         return ("There is no body photo: the body is the generic one of a matching build, its colours a guess",)
     told = {

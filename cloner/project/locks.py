@@ -47,7 +47,7 @@ def lock(path: Path) -> int | None:
 
 
 def release(descriptor: int, path: Path) -> None:
-    """Remove a lock file that this process holds, and let go of it."""
+    """Remove a lock file that this process holds, and release the lock."""
     if sys.platform == "win32":  # an open file cannot be removed there; whoever opened it meanwhile keeps it
         os.close(descriptor)
         with contextlib.suppress(OSError):

@@ -47,7 +47,7 @@ def text_of(data: Mapping[str, Any], key: str) -> str:
 
 
 def sex_and_age_of(data: Mapping[str, Any]) -> tuple[str, float]:
-    """Return what is told of sex ("f", "m" or "") and age (years, 0 where nothing is)."""
+    """Return sex ("f", "m" or "") and age (years, 0 if unknown)."""
     sex, age = text_of(data, "sex"), data.get("age", 0)
     if sex not in ("", *SEXES):
         hint = 'Write sex = "f" or sex = "m", or leave it out'
@@ -58,7 +58,7 @@ def sex_and_age_of(data: Mapping[str, Any]) -> tuple[str, float]:
 
 
 def terms_of(data: Mapping[str, Any]) -> Terms:
-    """Return what the person lets others do; nothing where no consent is recorded."""
+    """Return what the person allows others to do; nothing where no consent is recorded."""
     consent, event, licence = (text_of(data, key) for key in ("consent", "event", "licence"))
     if licence not in ("", *LICENCES):
         hint = f"The licences are {', '.join(LICENCES)}"
@@ -69,7 +69,7 @@ def terms_of(data: Mapping[str, Any]) -> Terms:
 
 
 def tape_mm_of(data: Mapping[str, Any], stature_m: float) -> tuple[tuple[str, float], ...]:
-    """Return what ``[measures]`` says, by key of the measures' table, mm."""
+    """Return the tape measures of ``[measures]``, by key of the measures' table, mm."""
     table = data.get("measures", {})
     if not isinstance(table, dict):
         hint = "Write a line [measures], and below it lines like: waist_girth = 70.2"

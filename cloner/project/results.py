@@ -74,7 +74,7 @@ def is_result(folder: Path) -> bool:
 
 
 def foreign_files(folder: Path) -> tuple[str, ...]:
-    """Return what lies in a folder and is no part of a result, by relative path: everything where nothing is listed.
+    """Return files in a folder that do not belong to a result, by relative path: all of them without a manifest.
 
     Links and pipes are foreign whatever they are called, and files named as photos: Cloner writes none.
     """
@@ -100,7 +100,7 @@ def file_digest(path: Path) -> str:
 
 
 def place_digest(folder: Path) -> str:
-    """Return what a result remembers of where its photos lay: enough to know the place again, not to tell it."""
+    """Return a digest of the photos' location: enough to recognise it, not to reveal it."""
     return hashlib.sha256(os.fsencode(folder.resolve())).hexdigest()
 
 

@@ -100,12 +100,12 @@ def digest_of_models() -> str:
 
 
 def photos_token(photos: Iterable[str]) -> str:
-    """Return what every output of a clone carries of its photos' digests: enough to find it, not to tell who it is."""
+    """Return a token of the photos' digests for every output of a clone: enough to find it, not to identify anyone."""
     return hashlib.sha256(" ".join(sorted(photos)).encode()).hexdigest()[:32]
 
 
 def stamp_text(seed: int, texture_size: int, photos: Iterable[str] = ()) -> str:
-    """Return what every output says of how it was made: version, models, generic human, options of its looks, photos.
+    """Return the stamp of every output: version, models, generic human, options of its looks, photos.
 
     ``photos`` are the digests of the photos, in any order.
     """

@@ -50,7 +50,7 @@ def save_values(values: Mapping[str, object], path: Path) -> None:
 
 
 def load_values(path: Path) -> dict[str, Any]:
-    """Return what :func:`save_values` wrote; nothing where the file is missing, broken or of another version.
+    """Return the values of :func:`save_values`; nothing where the file is missing, broken or of another version.
 
     What is kept here can always be found again, so an unreadable file is no error.
     """

@@ -56,7 +56,7 @@ def labels_at(labels: NDArray[np.uint8], places_px: NDArray[np.floating]) -> NDA
 
 
 def shows(labels: NDArray[np.uint8], *classes: Label) -> NDArray[np.bool_]:
-    """Return (H, W) where a label picture shows one of some classes."""
+    """Return the pixels (H, W) of a label image with one of some classes."""
     found = np.zeros(labels.shape, np.bool_)
     for one in classes:  # bytes are compared thirty at a time, a table is read one by one
         found |= labels == one

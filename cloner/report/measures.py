@@ -70,7 +70,7 @@ def clothes_words(measures: MeasureSet) -> tuple[str, ...]:
 
 
 def _taped_words(measures: MeasureSet) -> list[str]:
-    """Return what the difference between tape and outline means: cloth."""
+    """Return the interpretation of the difference between tape and outline: cloth."""
     cloth = [
         f"{kind.words.split(',')[0]} {measure.shown_mm - measure.value_mm:.0f} mm"
         for kind in MEASURES

@@ -102,7 +102,7 @@ def film_file(
 def _draw(
     pack: Path, out: Path, voices: Voices | None, echo: tuple[bytes, list[float]] | None, progress: Progress
 ) -> None:
-    """Draw a staged pack's film into a file, or into a folder of pictures, with what is said."""
+    """Draw a staged pack's film into a file, or into a folder of pictures, with its speech."""
     facts = read_facts(pack)
     told = facts["staging"]["film"]
     acted, staging = read_acted(pack, facts), staging_of(facts)
@@ -133,7 +133,7 @@ def _draw(
 
 
 def _ear(staging: Staging, acted: Acted) -> Ear:
-    """Return where the film's eye is, its right, and somebody's head at a time."""
+    """Return the film's camera position, its right direction, and somebody's head at a time."""
 
     def ear(now: float, who: int) -> tuple[Array, Array, Array]:
         rows = staging.rows(acted, now)

@@ -136,7 +136,7 @@ def _with_statues(
     plan: Plan, blocks: Mapping[str, Block], walk: Trajectories, acted: Acted, facts: dict[str, Any], pack: Path,
     seconds: float,
 ) -> tuple[Acted, Mapping[str, Any]]:  # fmt: skip
-    """Return what is acted with a clone in stone for each thing, which faces the middle of the floor."""
+    """Return what is acted with a clone in stone for each thing, facing the middle of the floor."""
     floor = max(plan.floors, key=lambda one: (one.high[0] - one.low[0]) * (one.high[1] - one.low[1]))
     rows = []
     for name, block in blocks.items():
@@ -150,7 +150,7 @@ def _with_statues(
 
 
 def views_in(plan: Plan) -> dict[str, list[list[float]]]:
-    """Return where the eye stands and looks in the page's views: inside the largest floor, and before the door."""
+    """Return the cameras of the page's views: inside the largest floor, and before the door."""
     floor = max(plan.floors, key=lambda one: (one.high[0] - one.low[0]) * (one.high[1] - one.low[1]))
     (x0, y0), (x1, y1) = floor.low, floor.high
     x, wide, deep = (x0 + x1) / 2.0, x1 - x0, y1 - y0

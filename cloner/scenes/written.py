@@ -110,7 +110,9 @@ def sound_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
 
 
 def sound_in(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
-    """Return how the largest floor of a folder's room sounds, and its borders (x, z, x, z); None where nobody asked."""
+    """Return the acoustics of the largest floor of a folder's room, and its bounds (x, z, x, z); None
+    if not computed.
+    """
     areas = [(one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in room.plan.floors]
     largest = int(np.argmax(areas))
     floor = room.plan.floors[largest]
@@ -136,7 +138,7 @@ def room_in(folder: Path) -> Room:
 
 
 def light_in(folder: Path) -> tuple[bytes, float, Probes]:
-    """Return what ``cloner scene light`` wrote: the page's light map as a file, what white stands for, the probes.
+    """Return the output of ``cloner scene light``: the page's light map as a file, its scale, and the probes.
 
     Raises
     ------

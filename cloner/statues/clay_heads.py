@@ -83,7 +83,7 @@ def egg(clay: Clay, scale: tuple[float, float, float] = EGG, narrower: float = N
 
 
 def region(clay: Clay, place_m: Array, reach_m: float) -> Array:
-    """Return (V,) how far each vertex belongs to the region round the skin nearest to a place: 1 there, 0 at the reach.
+    """Return the weight (V,) of each vertex in the region around the skin nearest to a point: 1 there, 0 at the radius.
 
     Distances go along the surface, so that a chin's region leaves the neck behind it alone; the fall is smooth.
     """

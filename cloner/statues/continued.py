@@ -72,7 +72,7 @@ class _PhotoVisibility:
     tolerance_m: float
 
     def weight(self, places_m: Array, normals: Array) -> tuple[Values, Array]:
-        """Return (N,) how well places (N, 3) are seen, 0..1, and their pixels (N, 2)."""
+        """Return the visibility (N,) of points (N, 3), 0..1, and their pixels (N, 2)."""
         pixel = self.camera.project(places_m)
         towards = self.camera.position_m - places_m
         towards /= np.linalg.norm(towards, axis=1, keepdims=True)

@@ -70,7 +70,7 @@ def fit_to_blobs(vertices_m: Array, joints_m: Array, field: Field) -> Envelope:
 
 
 def _kept(generic: GenericHuman) -> Array:
-    """Return (V,) how much of each vertex belongs to parts that stay as they are."""
+    """Return the weight (V,) of each vertex in parts that stay as they are."""
     return np.asarray(np.clip(np.maximum(generic.share(*KEPT[1:]), generic.head_blend), 0.0, 1.0))
 
 

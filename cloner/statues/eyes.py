@@ -72,13 +72,13 @@ def eye_light(generic: GenericHuman, vertices_m: Array, side: str, places_m: Arr
 
 
 def _from_iris(spokes: Array, radius: float) -> Array:
-    """Return (N,) how far places lie from the pupil's middle, in radii of the iris; behind the ball many."""
+    """Return the distance (N,) of points from the pupil's centre, in iris radii; large behind the eyeball."""
     length = np.maximum(np.linalg.norm(spokes, axis=1), 1e-9)
     angle = np.arccos(np.clip(spokes[:, 2] / length, -1.0, 1.0))
     return np.asarray(angle / np.arcsin(min(USUAL_IRIS_M / radius, 0.9)))
 
 
 def _depth(away: Array) -> Array:
-    """Return (N,) how deep the ball is carved, shares of its radius."""
+    """Return the depth (N,) of the carving, shares of the eyeball's radius."""
     pupil = DRILLED * np.clip((PUPIL - away) / (0.3 * PUPIL), 0.0, 1.0)
     return np.asarray(pupil + CARVED * np.clip(1.0 - np.abs(away - 1.0) / GROOVE, 0.0, 1.0))

@@ -98,7 +98,7 @@ MATERIALS: Final[Mapping[str, Maker]] = MappingProxyType(
 
 
 def _tinted(rgb: tuple[float, float, float], light: Values, warm: Values) -> Values:
-    """Return (N, 3) a colour so much lighter (N,) and more yellow (N,), shares."""
+    """Return a colour (N, 3) lightened (N,) and yellowed (N,) by shares."""
     tint = warm[:, None] * np.array([1.0, 0.2, -1.4], np.float32)
     return np.asarray(np.array(rgb, np.float32) * (1.0 + light[:, None] + tint), np.float32)
 

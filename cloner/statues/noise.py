@@ -49,7 +49,7 @@ class MaterialBlock:
         return total / np.float32(np.sqrt(len(sizes_m) * (2.0 / 3.0) ** 3))
 
     def pores(self, places_m: Array, cell_m: float, share: float) -> Values:
-        """Return (N,) how deep in a pore places (N, 3) lie: 0 outside, 1 in its middle.
+        """Return the depth (N,) of points (N, 3) in a pore: 0 outside, 1 in its middle.
 
         Parameters
         ----------

@@ -247,7 +247,7 @@ def _found(
 
 
 def _higher(places_m: Array, times: float) -> Array:
-    """Return places so many times as high about their middle."""
+    """Return points scaled vertically about their middle."""
     middle = places_m.mean(axis=0)
     return np.asarray(middle + (places_m - middle) * (1.0, times, 1.0))
 

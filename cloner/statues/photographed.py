@@ -167,7 +167,7 @@ def _at_size(markers_px: Array, picture: Picture) -> Array:
 
 
 def _made(clone: Clone, fitted: PhotoFit, material: str, photo: Path, source: Path | None, stamp: str) -> Clone:
-    """Return the finished clone; it may be shown if the photo may and, where it is laid on somebody, they may."""
+    """Return the finished clone; it may be shown if the photo and, where it is fitted to somebody, the person may."""
     made = clone_with_photo(clone, fitted)
     made = replace(
         made,

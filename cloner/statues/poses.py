@@ -30,7 +30,7 @@ POSES: Final = (REST, *ARMS)
 
 
 def standing(clone: Clone, pose: str) -> Clone:
-    """Return the clone that rests in a pose; all that moves it goes on to do so.
+    """Return the clone with a pose as its rest pose; all motions still apply.
 
     Raises
     ------

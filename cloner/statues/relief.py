@@ -57,7 +57,7 @@ def outwards(vertices_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.int3
 
 
 def detail(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> Values:
-    """Return (S, S) what a texture shows between grain and tone, -1 dark to 1 light; tone is averaged inside charts."""
+    """Return a texture's detail (S, S) between grain and tone, -1 dark to 1 light; tone is averaged inside charts."""
     scale = len(rgb) / 2048.0
     light = np.log(cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY).astype(np.float32) + 8.0)  # blacks of a photo are noise
     fine = cv2.GaussianBlur(light, (0, 0), max(FINE * scale, 0.3))
@@ -68,7 +68,7 @@ def detail(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> Values:
 
 
 def raked(height: Values, atlas: AtlasMap, uv: Array, uv_triangles: NDArray[np.int32], vertices_m: Array) -> Values:
-    """Return (N,) how much lighter each texel of the atlas is because its carving faces the light.
+    """Return the brightening (N,) of each texel of the atlas by carving that faces the light.
 
     Parameters
     ----------

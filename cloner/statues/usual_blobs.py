@@ -77,7 +77,7 @@ def usual_blobs(vertices_m: Array, joints_m: Array) -> tuple[Blob, ...]:
 
 
 def _begin(scale: float) -> tuple[Blob, ...]:
-    """Return the blobs of spine, middle and left side to begin with, for a body so many times 1.70 m high."""
+    """Return initial blobs of spine, middle and left side for a body scaled from 1.70 m."""
     found = []
     for name, joints, radii in (*SPINE, *ACROSS, *((f"l_{name}", joints, radii) for name, joints, radii in SIDED)):
         x, y, z = BEGIN.get(name.removeprefix("l_"), (0.0, 0.0, 0.0))
@@ -108,12 +108,12 @@ def _is_across(blob: Blob) -> bool:
 
 
 def _numbers(blob: Blob) -> Array:
-    """Return what is told of a blob: logarithms of radii, places of its ends, logarithms of its stretch."""
+    """Return a blob's parameters: log radii, positions of its ends, log stretch."""
     return np.concatenate([np.log(blob.radius_m), np.ravel(blob.off_m), np.log(blob.wide)])
 
 
 def _freedom(blob: Blob) -> Array:
-    """Return how far each number may go; 0 for what follows from another: the middle stays, right follows left."""
+    """Return the range of each parameter; 0 for dependent ones: the middle is fixed, right follows left."""
     count = len(blob.ends)
     radius, off = np.full(count, FREE_LOG), np.full((count, 3), FREE_M)
     if _is_across(blob):

@@ -34,7 +34,7 @@ def shapes_for(arrays: Iterable[tuple[str, str, tuple[str | int, ...]]], known: 
 
 
 def bytes_of(shapes: Mapping[str, Shape]) -> int:
-    """Return how many bytes arrays take."""
+    """Return the size of arrays in bytes."""
     return sum(int(np.prod(shape, dtype=object)) * np.dtype(kind).itemsize for kind, shape in shapes.values())
 
 

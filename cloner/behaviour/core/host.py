@@ -108,7 +108,7 @@ class Core(Instance):
 
 
 def shapes_of(counts: Mapping[str, int]) -> dict[str, Shape]:
-    """Return type and shape of each of `ARRAYS` for so many of everything."""
+    """Return type and shape of each of `ARRAYS` for the given counts."""
     known = {name: counts.get(name, 0) for name in COUNTS}
     known |= {f"{name}+": known[name] + 1 for name in ("homes", "emotions", "places")}
     known["told"] = 4 * known["people"] + 1024

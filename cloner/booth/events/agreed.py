@@ -9,12 +9,14 @@ from cloner.records.terms import LICENCES
 
 
 def offered_licences(event: Event) -> tuple[str, ...]:
-    """Return what a visitor may choose from: the narrowest licence, and the wider ones as far as the event asks."""
+    """Return the licences that a visitor may choose from: the narrowest one, and the wider ones that
+    the event allows.
+    """
     return LICENCES[: LICENCES.index(event.licence) + 1]
 
 
 def usual_licence(event: Event, language: str) -> str:
-    """Return what holds where a visitor chooses nothing: the event's licence where its own text was read.
+    """Return the default licence: the event's, where its own text was read.
 
     The window's own text says nothing of the kind, so that who reads it and chooses nothing keeps everything.
 
@@ -28,7 +30,7 @@ def usual_licence(event: Event, language: str) -> str:
 
 
 def agreed_terms(event: Event, folder: Path, language: str, chosen: str = "") -> dict[str, str]:
-    """Return what a consent given now in a language lets others do.
+    """Return the terms of a consent given now in a language.
 
     Parameters
     ----------

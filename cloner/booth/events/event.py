@@ -151,7 +151,7 @@ def read_event(folder: Path) -> Event:
 
 
 def open_event(folder: Path) -> tuple[Event, str]:
-    """Return the event's settings, and what is told where they were damaged and had to be put right; "" otherwise.
+    """Return the event's settings, and a message where they were damaged and had to be repaired; "" otherwise.
 
     Raises
     ------
@@ -291,5 +291,5 @@ def new_visitor(root: Path, now: str) -> Path:
 
 
 def visits(root: Path, read: Callable[[Path], Visit] = read_visit) -> dict[Path, Visit]:
-    """Return how far every visitor of an event has come, by folder; ``read`` reads one visit."""
+    """Return the progress of every visitor of an event, by folder; ``read`` reads one visit."""
     return {folder: read(folder) for folder in visitor_folders(root)}

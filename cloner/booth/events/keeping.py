@@ -19,18 +19,18 @@ _ALONE: Final = threading.Lock()
 
 
 def held(root: Path) -> tuple[Holding, ...]:
-    """Return what is held of every visitor of an event: without a photo, in the trash and put aside as well."""
+    """Return the data held of every visitor of an event, in the trash and set aside too."""
     folders = (*visitor_folders(root), *thrown_away(root), *_aside(root))
     return tuple(_holding(folder) for folder in folders)
 
 
 def _holding(folder: Path) -> Holding:
-    """Return what is held of a visitor, put aside or not."""
+    """Return the data held of a visitor, set aside or not."""
     return holding_of(folder.name.removeprefix(ASIDE), folder, None)
 
 
 def overdue(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:
-    """Return what should have gone by now; nothing where an event keeps its visitors (0 days)."""
+    """Return the data past its retention period; nothing where an event keeps its visitors (0 days)."""
     return older_than(held(root), days, now) if days > 0 else ()
 
 

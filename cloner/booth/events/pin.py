@@ -16,7 +16,7 @@ REST_S: Final = 30.0
 
 
 def kept_pin(number: str) -> str:
-    """Return what is kept of a number: salt and digest; "" for none."""
+    """Return salt and digest of a PIN; "" for none."""
     if not number:
         return ""
     salt = secrets.token_hex(16)

@@ -33,7 +33,7 @@ class Budget:
         self._turn = threading.Lock()
 
     def left(self, address: str) -> float:
-        """Return how much an address may still ask for."""
+        """Return the remaining budget of an address."""
         with self._turn:
             return self._now(address)[0]
 

@@ -63,7 +63,7 @@ def page(language: str, until: str) -> bytes:
 
 
 def policy() -> str:
-    """Return what the page may do: its own pictures and the one script and style in it, nothing else."""
+    """Return the page's content security policy: its own pictures, its one script and style, nothing else."""
     script, style = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in (_script(), _STYLE))
     return (
         f"default-src 'none'; img-src 'self'; script-src 'sha256-{script}'; style-src 'sha256-{style}'; "

@@ -116,7 +116,7 @@ class _State:
 
 
 class _Server(ThreadingHTTPServer):
-    """Answers each request on a thread of its own, so many at a time."""
+    """Answers each request on a thread of its own, up to a limit."""
 
     daemon_threads = True
     allow_reuse_address = True

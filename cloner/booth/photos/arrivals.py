@@ -52,7 +52,7 @@ def write_note(root: Path, camera: Path, known: Sizes) -> None:
 
 
 def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
-    """Return what a window that ended without closing had noted of this folder; None where nothing is."""
+    """Return the note of a window that ended without closing about this folder; None where there is none."""
     try:
         told = json.loads(read_untrusted(root / NOTE_FILE, LARGEST_BYTES))
         if told["folder"] != str(camera):

@@ -36,7 +36,7 @@ _WORK_PX: Final = 1000  # the person's height at which sharpness is measured
 
 
 def look(photo: Photo, wanted: ViewId | None) -> tuple[Look, Proposal | None]:
-    """Return what a photo shows, and what the nets say of it in its view.
+    """Return the view of a photo, and the nets' findings in that view.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def look(photo: Photo, wanted: ViewId | None) -> tuple[Look, Proposal | None]:
 
 
 def _in_view(photo: Photo, first: Proposal, view: ViewId) -> Proposal:
-    """Return what the nets say of a photo in a view; ``first`` is what they say in `ViewId.BODY_FRONT`."""
+    """Return the nets' findings in a view; ``first`` are those in `ViewId.BODY_FRONT`."""
     return first if view is ViewId.BODY_FRONT else propose(replace(photo, view=view))
 
 
@@ -111,7 +111,7 @@ def _fits(photo: Photo, proposal: Proposal, view: ViewId) -> bool:
 
 
 def troubles_of(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[Trouble, ...]:
-    """Return what is wrong with frame, light and sharpness of a photo, the worst first.
+    """Return problems of framing, light and sharpness of a photo, the worst first.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def _skin_or_person(grey: NDArray[np.uint8], proposal: Proposal, person: NDArray
 
 
 def edge_width(grey: NDArray[np.uint8], person: NDArray[np.bool_]) -> float:
-    """Return how wide the sharpest edges in and around the person are, share of the person's height.
+    """Return the width of the sharpest edges in and around the person, share of the person's height.
 
     The height of a step over its steepest slope is its width; strong steps are compared with their slope one by one.
     """

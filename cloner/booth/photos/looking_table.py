@@ -45,7 +45,7 @@ class Look:
     passes: frozenset[ViewId] = field(default=frozenset())
 
     def troubles_as(self, view: ViewId | None) -> tuple[Trouble, ...]:
-        """Return what is wrong with the photo as that of a view; None for a photo without a place."""
+        """Return the photo's problems as one view; None for a photo without a place."""
         if view is None or self.view is None or view in (self.passes | {self.view}):
             return self.troubles
         return (Trouble.OTHER_VIEW, *self.troubles)

@@ -18,7 +18,7 @@ LOOKS_FILE: Final = "looks.json"
 
 
 def read_looks(folder: Path) -> dict[str, Look]:
-    """Return what was found, by digest; what is missing, broken or of an older kind is found again."""
+    """Return cached findings by digest; missing, broken or outdated ones are computed again."""
     try:
         told = json.loads(read_untrusted(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
         found = [_look(digest, one) for digest, one in told.items()]

@@ -76,7 +76,7 @@ class Carving:
     def paint_photo(
         self, rgb: Pixels, focal_px: float, markers: Markers, onto: Path | None, material: str, progress: Progress
     ) -> Clone:
-        """Return the clone with a photo laid on it and continued all round, cut from a material if one is named."""
+        """Return the clone with a photo fitted to it and extended all around, in a material if one is named."""
         progress("textures", 0.0)
         clone, known = self._base(onto), known_points()
         vertices = np.array([one if isinstance(one, int) else known[one] for one in markers.at], np.int32)
@@ -111,7 +111,7 @@ class Carving:
         return clone, usual_blobs(clone.vertices_m, clone.joints_m)
 
     def lay_blobs(self, onto: Path | None, blobs: tuple[Blob, ...], progress: Progress) -> Figure:
-        """Return the clone's skin laid on blobs."""
+        """Return the clone's skin fitted to blobs."""
         progress("body", 0.0)
         made, _ = clone_of_blobs(self._base(onto), blobs)
         shells = tuple(shell.vertices_m for shell in made.shells)

@@ -9,7 +9,7 @@ from cloner.booth.worker import Show, not_shown
 
 
 class StudioJobs(Wearing, Shaping, Carving):
-    """What the studio's process can be asked for; every method gets a progress callable that may raise Cancelled.
+    """Requests to the studio's process; every method takes a progress callable that may raise Cancelled.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ _USUAL_M: Final = {"f": 1.65, "m": 1.75}
 
 @functools.lru_cache(maxsize=4)
 def _usual(sex: str, age_years: float) -> Clone:
-    """Return somebody of whom nothing else is told."""
+    """Return an average person."""
     stature_m = _USUAL_M[sex] if age_years >= GROWN else stature_mm(sex, age_years)[0] / 1e3
     return clone_of_measures(BodySpecification(sex, stature_m, {}, age_years), _SHOWN_TEXELS)
 
@@ -46,7 +46,7 @@ class Shaping:
         return _usual(wish.sex, wish.age_years), wish.sex
 
     def shape_body(self, wish: BodyWish, progress: Progress) -> Figure:
-        """Return a body of told measures; see `cloner.bodies.made`."""
+        """Return a body of given measures; see `cloner.bodies.made`."""
         progress("body", 0.0)
         told_mm = {key: 10.0 * value for key, value in wish.cm.items()}
         if wish.source is None:

@@ -78,7 +78,7 @@ class Draped:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Arranged:
-    """A garment that was cut and laid round a clone.
+    """A garment cut and arranged around a clone.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class Arranged:
 
 @dataclass(frozen=True, slots=True)
 class BodyWish:
-    """A body that is told by a tape.
+    """A body specified by measures.
 
     Attributes
     ----------
@@ -154,7 +154,7 @@ class Markers:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MarkedPhoto:
-    """A photo that is to be laid on a clone, with the markers to begin with.
+    """A photo to be fitted to a clone, with initial markers.
 
     Attributes
     ----------

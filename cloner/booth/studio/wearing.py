@@ -102,7 +102,7 @@ class Wearing:
         return self._below[2]
 
     def _plain(self, outfit: Outfit, progress: Progress) -> Clone:
-        """Return who wears it, undressed where that was asked for."""
+        """Return the wearer, undressed if requested."""
         key = outfit.clone, outfit.bare, clone_file(outfit.clone).stat().st_mtime_ns
         if self._below is None or self._below[0] != key:
             progress("body", 0.0)
@@ -112,7 +112,7 @@ class Wearing:
         return self._below[1]
 
     def _arranged(self, outfit: Outfit, progress: Progress) -> tuple[Dressing, Pattern]:
-        """Return the garment as far as it has come; laid round the clone anew where something else is wanted."""
+        """Return the garment's present state; arranged anew where something else is requested."""
         clone = self._wearer(outfit, progress)
         if self._dressing is None or self._dressing[0] != outfit:
             under = None if outfit.under is None else self._walked(outfit.under, progress)

@@ -16,7 +16,7 @@ RESULTS: Final = "clones"
 
 
 def known_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:
-    """Return what is known of a visitor from earlier work on these very photos.
+    """Return cached values of a visitor from earlier work on the same photos.
 
     Either all values of the last clone, the photos with them, or the proposals alone; nothing where photos changed.
     """

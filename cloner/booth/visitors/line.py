@@ -17,19 +17,19 @@ _TELLING: Final = 0.1
 
 
 def waiting(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
-    """Return who waits, the first asked first."""
+    """Return the waiting visitors in order of request."""
     those = [(visit.queued, folder.name, folder) for folder, visit in visits.items() if visit.state is State.WAITING]
     return tuple(folder for _, _, folder in sorted(those))
 
 
 def usual_seconds(visits: Mapping[Path, Visit]) -> float:
-    """Return how long a clone takes here."""
+    """Return the usual duration of a clone here."""
     known = [visit.clone_seconds for visit in visits.values() if visit.clone_seconds > 0.0]
     return median(known) if known else USUAL_S
 
 
 def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 0) -> float:
-    """Return how long a visitor still waits.
+    """Return a visitor's estimated waiting time.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 
 
 
 def asked(visit: Visit, now: str) -> Visit:
-    """Return the visit with a clone asked for."""
+    """Return the visit with a clone requested."""
     return replace(visit, state=State.WAITING, queued=now, finished="", problem="", declined=False)
 
 

@@ -58,7 +58,7 @@ def keep_damaged(path: Path) -> Path:
 def mended(
     path: Path, read: Callable[[], object], salvage: Callable[[str], Made], write: Callable[[Made], object]
 ) -> str:
-    """Read a file; where it is damaged put it right, and return what is told: "" where nothing was wrong.
+    """Read a file and repair it where it is damaged; return a message, "" where nothing was wrong.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def mended(
 
 
 def mend_visitor(folder: Path) -> tuple[str, ...]:
-    """Put right what is damaged of a visitor's own small files, and return what is told.
+    """Repair a visitor's damaged small files, and return a message.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def _fits(told: Mapping[str, Any]) -> bool:
 
 
 def _text(path: Path) -> str:
-    """Return what a file says as far as it is text."""
+    """Return the readable text of a file."""
     try:
         return read_text(path)
     except ClonerError:

@@ -13,7 +13,7 @@ from cloner.untrusted import read_untrusted
 
 
 def number_of(folder: Path) -> str:
-    """Return a visitor's number as it is said, "7" of ``visitor-007``; the folder's name where it has none."""
+    """Return a visitor's number as spoken, "7" of ``visitor-007``; the folder's name where it has none."""
     digits = folder.name.removeprefix("visitor-")
     return str(int(digits)) if digits != folder.name and digits.isdigit() else folder.name
 
@@ -36,7 +36,7 @@ def called(name: str, folder: Path, visitor: str) -> str:
 
 
 def first_name(name: str) -> str:
-    """Return the first word of a name: what is said where others hear it."""
+    """Return the first word of a name, for public use."""
     return name.split()[0] if name.split() else ""
 
 

@@ -82,7 +82,7 @@ def person_facts(folder: Path) -> tuple[str, float | None, str]:
 
 
 def consent_given(text: str, now: datetime, language: str) -> str:
-    """Return what is recorded of a consent: its text just as it was read, when, and in which language."""
+    """Return the record of a consent: its text as it was read, when, and in which language."""
     return f"{text.strip()} ({now:%Y-%m-%d %H:%M} UTC, {language})"
 
 

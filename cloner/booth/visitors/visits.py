@@ -82,7 +82,7 @@ _KINDS: Final = {key: type(value) for key, value in asdict(Visit()).items()}
 
 
 def read_visit(folder: Path) -> Visit:
-    """Return how far a visitor has come; from the start where the file is missing or broken.
+    """Return a visitor's progress; from the start where the file is missing or broken.
 
     The file is the window's own memory: losing it costs a click, so it never stands in the way of the photos.
     """
@@ -103,7 +103,7 @@ class KnownVisits:
         self._known: dict[Path, tuple[tuple[int, int, int], Visit]] = {}
 
     def read(self, folder: Path) -> Visit:
-        """Return how far a visitor has come, as :func:`read_visit` does."""
+        """Return a visitor's progress, as :func:`read_visit` does."""
         try:
             found = os.stat(os.path.join(folder, VISIT_FILE))  # asked for hundreds of visitors at once
         except OSError:

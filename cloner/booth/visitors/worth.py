@@ -38,7 +38,7 @@ def doubtful(points: Mapping[ViewId, ViewPoints]) -> dict[ViewId, tuple[str, ...
 
 
 def change_of(view: ViewId, name: str) -> Change:
-    """Return what a point of a photo changes."""
+    """Return what a point of a photo influences."""
     if name.startswith(("sole", "head_top", "heel", "toe")):
         return Change.HEIGHT
     if view.is_face or name.startswith(("eye", "nose", "mouth", "lip", "chin", "ear", "brow", "pupil", "ala")):

@@ -61,7 +61,7 @@ class Cloth:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hinges:
-    """Inner edges as they lie in the plane, pairs of both sides; over a seam two pieces are laid beside each other.
+    """Inner edges in the plane with their opposite points; across a seam two pieces are placed side by side.
 
     Attributes
     ----------

@@ -222,7 +222,7 @@ def _whole_sleeve(
 
 
 def _notch(group: ElementTree.Element, kind: str) -> float:
-    """Return where across a part a kind of notch lies, nan where it is not told."""
+    """Return the position of a kind of notch across a part, nan where it is not given."""
     for element in group.iter():
         if element.tag.rpartition("}")[2] == "use" and kind in element.attrib.values():
             with contextlib.suppress(ValueError):

@@ -172,7 +172,7 @@ def _arc(start: Array, end: Array, radius: float, *, large: bool, right: bool) -
 
 
 def _piece(panel: _Panel, panels: list[_Panel], rise_m: float) -> tuple[str, tuple[Segment, list[str]]]:
-    """Return a panel's name, its segment as its wearer has it on, and the full names of its edges as they were told."""
+    """Return a panel's name, its segment as worn, and the full original names of its edges."""
     beside = [one for one in panels if one.around == panel.around]
     flat = [_on_arm(panel, curve, beside) if "arm" in panel.around else _on_trunk(panel, curve, rise_m)
             for curve in panel.curves]  # fmt: skip
@@ -185,7 +185,7 @@ def _piece(panel: _Panel, panels: list[_Panel], rise_m: float) -> tuple[str, tup
 
 
 def _in_space(panel: _Panel) -> Array:
-    """Return where a panel's corners and handles stand, (M, 3) metres."""
+    """Return the positions of a panel's corners and handles, (M, 3) metres."""
     flat = np.concatenate([curve[:-1] for curve in panel.curves])
     return np.asarray(np.column_stack([flat, np.zeros(len(flat))]) @ panel.turn.T + panel.corner)
 
@@ -198,7 +198,9 @@ def _on_trunk(panel: _Panel, curve: Array, rise_m: float) -> Array:
 
 
 def _rise_of(panel: _Panel, flat: list[Array]) -> float:
-    """Return where across a leg's piece its rise stands upright: in the upper third over the inmost point."""
+    """Return the position across a leg piece at which its rise is vertical: in the upper third over
+    the inmost point.
+    """
     outer = 1.0 if panel.around in ("left_leg_front", "right_leg_back") else -1.0
     x, y = np.concatenate([even(curve, 16) for curve in flat]).T
     inmost = int(np.argmin(outer * x))

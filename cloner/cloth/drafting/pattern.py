@@ -120,7 +120,7 @@ def is_clockwise(outline: Array) -> bool:
 
 
 def seen_from_outside(edges: Mapping[str, Array]) -> dict[str, Array]:
-    """Return a piece's edges in counter-clockwise order: run back where they were told clockwise."""
+    """Return a piece's edges in counter-clockwise order, reversed where they were clockwise."""
     if is_clockwise(np.concatenate([edge[:-1] for edge in edges.values()])):
         return {name: edge[::-1] for name, edge in reversed(list(edges.items()))}
     return dict(edges)
@@ -210,7 +210,7 @@ def read_pattern(path: Path) -> Pattern:
 
 
 def json_of(path: Path) -> Any:
-    """Return what a garment's JSON file holds.
+    """Return the contents of a garment's JSON file.
 
     Raises
     ------

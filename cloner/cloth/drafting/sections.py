@@ -73,7 +73,7 @@ class Frame:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sections:
-    """A clone's slices, kept as they are asked for.
+    """A clone's cross sections, cached.
 
     Attributes
     ----------

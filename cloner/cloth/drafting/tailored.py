@@ -127,7 +127,7 @@ def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern
 
 
 def over_m(body: Sections, seam: Array, low: float, *, is_front: bool) -> float:
-    """Return how much longer the way over the body is than straight up, metres, to the middle of a shoulder seam.
+    """Return the extra length over the body compared with straight up, metres, to the middle of a shoulder seam.
 
     ``seam`` (3,) is that middle, ``low`` where the way begins, over the waist. A front that was only as long as the
     body is high was drawn 15 % too long over the bust.

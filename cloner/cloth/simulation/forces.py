@@ -53,7 +53,9 @@ class Tension:
 
 
 def tension(made: Elements, places: Array, speeds: Array, slipped: Array, h: float) -> Tension:
-    """Return what triangles do at the end of a step of ``h`` seconds; ``slipped`` (T, 3) is where friction holds."""
+    """Return forces of the triangles at the end of a step of ``h`` seconds; ``slipped`` (T, 3) are
+    friction's anchors.
+    """
     now = strained(made, places)
     stress, slope, half = stresses(made.fabric, now.strain)
     reach = np.array([SLIP_STRAIN, SLIP_STRAIN, SLIP_SHEAR])
@@ -82,7 +84,7 @@ class Bent:
 
 
 def bending(made: Elements, places: Array, speeds: Array, slipped_m: Array) -> Bent:
-    """Return what hinges do at the end of a step; friction acts along a hinge's own normal."""
+    """Return forces of the hinges at the end of a step; friction acts along a hinge's own normal."""
     hinges, bent, normal = len(made.hinges), made.bends @ places, _normals(made, places)
     away = np.einsum("ia,ia->i", bent[:hinges], normal)
     kept = np.clip(away - slipped_m, -made.slip_m, made.slip_m)
@@ -92,7 +94,7 @@ def bending(made: Elements, places: Array, speeds: Array, slipped_m: Array) -> B
 
 
 def _gradients(made: Elements, now: Strained) -> Array:
-    """Return (T, 3, 3, 3) how weft's, warp's and shearing's strain grow as each corner moves, 1/m."""
+    """Return the derivatives (T, 3, 3, 3) of weft, warp and shear strain by each corner's position, 1/m."""
     weft, warp = made.along[:, 0, :, None], made.along[:, 1, :, None]
     across, down = now.weft[:, None, :], now.warp[:, None, :]
     return np.stack([weft * across, warp * down, weft * down + warp * across], axis=1)

@@ -184,7 +184,7 @@ class _Touch:
 def _gained(
     sheet: Sheet, system: System, before: Array, speeds: Array, slips: Slips, thrust: Array, h: float, touch: _Touch
 ) -> tuple[Array, Slips]:
-    """Return what one round of Newton's method adds to a step's speeds (N, 3), m/s, and where friction holds then.
+    """Return the change of a step's speeds (N, 3) by one Newton iteration, m/s, and friction's new anchors.
 
     ``thrust`` (N, 3), kg m/s, is what acts from outside and what the speeds lack.
     """

@@ -49,7 +49,7 @@ class Under:
 
 
 def wearer_over(body: Wearer, under: Under, hung: int) -> Wearer:
-    """Return what is met over cloth: its points after the skin's, without the skin close below it.
+    """Return the collider of body and lower cloth: its points after the skin's, without the skin close below it.
 
     Parameters
     ----------

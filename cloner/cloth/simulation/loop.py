@@ -110,7 +110,7 @@ def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = l
 
 
 def _gaps_m(places_m: Array, apart: int) -> Array:
-    """Return RMS distances of all vertices between frames so many apart, their speeds' added; not of the first."""
+    """Return RMS distances of all vertices between frames at some distance in time, speeds included."""
     away = [late - early for early, late in zip(places_m, places_m[apart:], strict=False)]
     pairs = pairwise(away)
     squares = [(now**2 + ((now - before) * FRAMES_PER_S * SPEED_S) ** 2).sum(axis=1).mean() for before, now in pairs]

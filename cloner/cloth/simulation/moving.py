@@ -90,12 +90,12 @@ class Worn:
     system: System | None = None
 
     def met(self, root_m: Array, rotations: Array, below_m: Array | None) -> Met:
-        """Return what the cloth meets in a pose, with the points (N, 3) of what is worn below."""
+        """Return the colliders in a pose, with the points (N, 3) of what is worn below."""
         skin_m = self.body.posed(root_m, rotations)
         return Met(skin_m if below_m is None else np.concatenate([skin_m, below_m]), self.band.posed(root_m, rotations))
 
     def met_in(self, frame: int) -> Met:
-        """Return what the cloth meets in a frame of the walk, once what is worn below goes in its loop."""
+        """Return the colliders in a frame of the walk, with what is worn below in its loop."""
         frame %= len(self.rotations)
         below_m = None if self.under is None else self.under.loop_m[frame]
         return self.met(self.root_m[frame], self.rotations[frame], below_m)
@@ -122,7 +122,7 @@ def put_on(
     *,
     elements: bool = False,
 ) -> Worn:
-    """Return a garment placed round a clone in rest pose, not yet let go; what hangs from a ring needs it.
+    """Return a garment placed around a clone at rest, not yet released; what hangs from a ring needs it.
 
     ``under`` is a garment that is worn already: the new one is placed over it. With ``elements`` the source's
     integrator moves it, else threads.
@@ -203,5 +203,5 @@ def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None)
 
 
 def _met_at(worn: Worn, poses: Sequence[tuple[Array, Array]], number: int) -> Met:
-    """Return what the cloth meets in a frame counted from the beginning."""
+    """Return the colliders in a frame counted from the beginning."""
     return worn.met(*poses[number], None if worn.under is None else worn.under.at(number))

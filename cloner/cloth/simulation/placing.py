@@ -125,7 +125,7 @@ class Band:
     weights: Array
 
     def posed(self, root_m: Array, rotations: Array) -> Array:
-        """Return (P, 3) where the band is in a frame."""
+        """Return the band's positions (P, 3) in a frame."""
         parents = load_generic().joint_parents.astype(np.int32)
         transforms = joint_transforms(self.clone.joints_m, parents, rotations)
         return linear_blend_skinning(self.places_m, transforms, self.joints, self.weights) + root_m

@@ -162,7 +162,7 @@ class Lead:
 
 
 def core_of(sheet: Sheet, skin_points: int) -> Core:
-    """Return an engine for a garment that meets so many points of skin."""
+    """Return an engine for a garment that collides with some number of skin points."""
     stretch, bend, count = sheet.stretch, sheet.bend, len(sheet.mass_kg)
     core = Core(
         vertices=count, triangles=len(sheet.faces), stretches=len(stretch.ends), bends=len(bend.ends),
@@ -231,6 +231,6 @@ def step(
 
 
 def strains(sheet: Sheet, places_m: Array) -> Array:
-    """Return (E,) how much longer every thread is than at rest, as a share."""
+    """Return the strain (E,) of every thread."""
     away = places_m[sheet.edges[:, 1]] - places_m[sheet.edges[:, 0]]
     return np.asarray(np.linalg.norm(away, axis=1) / sheet.rest_m - 1.0)

@@ -52,7 +52,7 @@ class Wearer:
 
 
 def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
-    """Return what cloth can meet of a clone; ``whole`` with arms and neck."""
+    """Return a clone's collision surface; ``whole`` with arms and neck."""
     generic = load_generic()
     names = (*MET, *ARMS) if whole else MET
     met = generic.segment(*names)

@@ -81,7 +81,7 @@ def _spans(segment: Segment, heights: Array) -> tuple[Array, Array]:
 
 
 def _width(pattern: Pattern, part: str, body: Sections) -> Callable[[Array], Array]:
-    """Return how long all pieces round a part are together, by height."""
+    """Return the total width of all pieces around a part, by height."""
     own = [segment for segment in pattern.segments if _part(segment) == part]
     ends = [edge[[0, 3], 1] for segment in own for edge in segment.edges.values()]
     highest = float(np.max(ends))
@@ -104,7 +104,7 @@ def _width(pattern: Pattern, part: str, body: Sections) -> Callable[[Array], Arr
 
 
 def _laid(segment: Segment, flat: Array, body: Sections, widths: dict[str, Callable[[Array], Array]]) -> Array:
-    """Return (N, 3) where a piece's points lie."""
+    """Return the positions (N, 3) of a piece's points."""
     part, around = _part(segment), segment.around
     width = widths[part](flat[:, 1])
     turn = 0.5 if around.endswith("back") else 0.0

@@ -164,7 +164,7 @@ def posed(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: A
 
 
 def _own_look(shell: Pixels, group: str) -> GroupLook:
-    """Return how cloth that hangs on looks by its own picture: what is below it is another garment."""
+    """Return the look of attached cloth by its own picture, as another garment lies below it."""
     cloth = shell[:, SHELL_PX:]
     codes = np.where(cloth[..., 3] > 127, STEP * (GROUPS.index(group) + 1), 0).astype(np.uint8)
     return looks_of(cloth[..., :3], codes)[group]

@@ -34,7 +34,7 @@ STEADY_S: Final = 0.12
 
 
 def belt_speed(body: Body, motion: Motion) -> float:
-    """Return how fast the ground runs backwards below somebody who was captured on a treadmill, m/s; else 0.
+    """Return the treadmill's speed below a captured person, m/s; 0 without one.
 
     Such a person stays within a step, and soles near to the floor hardly ever rest.
     """

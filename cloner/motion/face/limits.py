@@ -62,7 +62,7 @@ def limited(clone: Clone, weights: Mapping[str, Array]) -> dict[str, Array]:
 
 
 def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
-    """Return what the named targets do, and how far (P,) any target takes the points, metres."""
+    """Return the named targets' displacements, and their largest displacement of the points (P,), metres."""
     generic = load_generic()
     vertices = [generic.feature(name) for name in POINTS]
     eyes, mouth = (eye_grid("left"), eye_grid("right")), mouth_grid()
@@ -83,7 +83,7 @@ def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
 
 
 def _lid_height(grid: Grid, shape_m: Array) -> float:
-    """Return how far the lids stand apart upright, metres, on average over the opening."""
+    """Return the vertical distance of the lids, metres, averaged over the opening."""
     margin = shape_m[grid.ring(0)]
     return float(margin[grid.upper, 1].mean() - margin[grid.lower, 1].mean())
 

@@ -53,7 +53,7 @@ class Speech:
 
 
 def speech_in(path: Path) -> Speech:
-    """Return what a .wav file, phonemes or words say.
+    """Return the speech in a .wav file, phonemes or words.
 
     A .txt file holds phonemes, one a line with its seconds, or else words for espeak-ng; its language stands between
     two dots of the file's name, "hello.de.txt".

@@ -117,7 +117,7 @@ def _part(missing: Callable[[float], float]) -> float:
 
 
 def _put_on(missing: Callable[[float], float]) -> float:
-    """Return how far to go for nothing to be missing, metres: two steps of the secant within `MOST_ON_M`."""
+    """Return the displacement that restores the volume, metres: two secant steps within `MOST_ON_M`."""
     way, left = 0.0, missing(0.0)
     for _ in range(2):
         gain = (left - missing(way + _STEP_M)) / _STEP_M

@@ -95,7 +95,7 @@ def applaud(body: Body) -> Motion:
 
 
 def lift(body: Body) -> Motion:
-    """Return somebody who takes something from the ground with both hands, lifts it before the face and lets it go."""
+    """Return somebody who picks something up with both hands, lifts it before the face and drops it."""
     motion, world, turn = _standing(body, LIFT_S, "lift")
     hanging = {side: _wrist(body, world, motion, side) for side in SIDES}
     share = turn / (2.0 * np.pi)
@@ -142,7 +142,7 @@ def _bent(body: Body, world: Array, motion: Motion, share: Array) -> Motion:
 
 
 def _standing(body: Body, seconds: float, name: str) -> tuple[Motion, Array, Array]:
-    """Return so many seconds of a slower or faster idle, (F, J, 3, 3) its orientations and (F,) its turn, 0 to 2 pi."""
+    """Return some seconds of a slower or faster idle: orientations (F, J, 3, 3) and phase (F,), 0 to 2 pi."""
     own = idle(body)
     times = np.linspace(0.0, seconds, round(seconds * FRAMES_PER_S) + 1)
     rotations, root = posed_at(own, times * own.times_s[-1] / seconds)

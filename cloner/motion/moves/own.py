@@ -17,6 +17,6 @@ Moves = Callable[[Clone], Sequence[Motion]]
 
 @cached_per_object
 def own_motions(clone: Clone) -> tuple[Motion, ...]:
-    """Return walk and idle in the clone's own proportions, the walk of its sex and age where these were told."""
+    """Return walk and idle in the clone's own proportions, the walk by its sex and age where given."""
     body = body_of(clone)
     return walk(body, suited(REGULAR, clone.sex, clone.age_years)), idle(body)

@@ -88,7 +88,7 @@ def _corrections(motion: Motion, stands: Mask, sole: Array, straight: int) -> Ar
 
 
 def _slips(motion: Motion, sole: Array) -> Array:
-    """Return (F - 1, 2) how far the point that a foot rolls over goes over the ground from every frame to the next."""
+    """Return the sliding (F - 1, 2) of a foot's contact point over the ground between frames."""
     above = sole[..., 1] - sole[..., 1].min(axis=1, keepdims=True)
     ground = sole[..., [0, 2]] + np.outer(motion.times_s, (0.0, motion.speed_m_s))[:, None]
     touching = np.argmin(above[1:] + above[:-1], axis=1)

@@ -25,7 +25,7 @@ LIFTED_M: Final = 0.02
 
 
 def step_slides_m(body: Body, motion: Motion) -> Array:
-    """Return (S,) how far each step of either foot slid over the ground, metres.
+    """Return the slide (S,) of each step of either foot over the ground, metres.
 
     A step lasts from one highest place of the foot to the next. From frame to frame the horizontal way of the sole's
     lowest point counts wherever it is below `TOUCHES_M` at either end, relative to the ground, which runs backwards at
@@ -37,7 +37,7 @@ def step_slides_m(body: Body, motion: Motion) -> Array:
 
 
 def resampled(motion: Motion, frames_per_s: float) -> Motion:
-    """Return the motion as a viewer shows it, so many times a second; face targets are left out."""
+    """Return the motion at a viewer's frame rate; face targets are left out."""
     count = max(round(float(motion.times_s[-1]) * frames_per_s), 1)
     times = np.linspace(0.0, float(motion.times_s[-1]), count + 1)
     rotations, root = posed_at(motion, times)

@@ -106,7 +106,7 @@ RUN: Final = Style("run", cycle_frames=42, thigh=1.4, knee=1.45, crouch_deg=8.0,
 
 
 def suited(style: Style, sex: str = "", age_years: float = 0.0) -> Style:
-    """Return a style as somebody of a sex and age walks in it; what is not told changes nothing.
+    """Return a style adapted to a sex and age; unknown ones change nothing.
 
     Parameters
     ----------

@@ -243,7 +243,7 @@ def _any_segment(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.
 
 
 def _near_median_plane(generic: GenericHuman, vertices_m: Array) -> NDArray[np.bool_]:
-    """Return (V,) what lies hardly farther from the middle than the neck is wide."""
+    """Return which vertices (V,) lie hardly farther from the median plane than the neck's half width."""
     reach = NECK_SHARE * float(np.abs(vertices_m[generic.region("neck"), 0]).max())
     return np.asarray(np.abs(vertices_m[:, 0]) < reach, bool)
 

@@ -74,7 +74,7 @@ def _texel_m(panel: Panel) -> float:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Grid:
-    """Places on a panel: (n,) u and v, metres; (nv, nu) whether light falls there; places in space asked for it."""
+    """Points on a panel: (n,) u and v, metres; (nv, nu) whether light falls there; positions on request."""
 
     u: Array
     v: Array

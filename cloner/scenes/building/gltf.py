@@ -44,7 +44,7 @@ class Mesh:
 
 
 def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int], looks: Mapping[str, Look]) -> list[Mesh]:
-    """Return what is drawn of a room, a mesh a look."""
+    """Return the meshes of a room, one per look."""
     found: dict[str, list[tuple[Array, Array, Array, Array]]] = {}
     for chart in charts:
         panel = chart.panel
@@ -63,7 +63,7 @@ def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int], looks: Mapping[s
 
 
 def _begin(panel: Panel, name: str, looks: Mapping[str, Look]) -> Array:
-    """Return where on a panel a look begins, metres: the lower left corner of all that has it, or the plan's."""
+    """Return the origin of a look on a panel, metres: the lower left corner of all that has it, or the plan's."""
     if looks[name].fits:
         return np.asarray(np.min([rect[:2] for rect, look in panel.parts if look == name], axis=0))
     return -np.array([panel.corner @ panel.along, panel.corner @ panel.up])

@@ -28,7 +28,7 @@ LARGEST_SIDE_PX: Final = 8192
 
 
 def straightened(rgb: NDArray[np.uint8], corners: Array, size: tuple[int, int]) -> NDArray[np.uint8]:
-    """Return what lies between four corners of a photo, seen from straight before it.
+    """Return the rectified region between four corners of a photo.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def kept(plan: Plan, looks: dict[str, Look]) -> dict[str, bytes]:
 
 
 def place_of(photo: Photographed) -> str:
-    """Return where a photo put straight lies in a room's folder."""
+    """Return the path of a rectified photo in a room's folder."""
     return f"photos/{photo.name}.png"
 
 

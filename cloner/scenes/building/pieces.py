@@ -42,7 +42,7 @@ class Quad:
 
 
 def plan_place(x: float, y: float, height: float = 0.0) -> Array:
-    """Return where a place of the plan lies."""
+    """Return the position of a point of the plan."""
     return np.array([x, height, -y])
 
 

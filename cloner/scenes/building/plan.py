@@ -76,7 +76,7 @@ class Ceiling:
 
 @dataclass(frozen=True, slots=True)
 class Vault:
-    """A barrel vault along y over a rectangle: it springs at a height and rises by so much more."""
+    """A barrel vault along y over a rectangle, with a springing height and a rise."""
 
     low: XY
     high: XY
@@ -128,7 +128,7 @@ class Photographed:
 
     @property
     def texels(self) -> tuple[int, int]:
-        """Return how many texels wide and high it becomes."""
+        """Return its width and height in texels."""
         return round(self.size[0] / self.texel), round(self.size[1] / self.texel)
 
 

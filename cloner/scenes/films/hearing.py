@@ -28,7 +28,7 @@ Ear = Callable[[float, int], tuple[Array, Array, Array]]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Source:
-    """A sound (N,) of `RATE_HZ`, -1..1, and when it begins: from somebody's head, or from a place (3,) if told."""
+    """A sound (N,) at `RATE_HZ`, -1..1, its start, and its source: somebody's head, or a place (3,) if given."""
 
     when: float
     who: int
@@ -45,7 +45,7 @@ def at_rate(sound: Array, rate_hz: int) -> Array:
 def heard(
     sources: Sequence[Source], seconds: float, ear: Ear, echo: tuple[bytes, Sequence[float]] | None = None
 ) -> NDArray[np.float32]:
-    """Return (N, 2) what a film's ear hears, left and right, of `RATE_HZ`; no sample is beyond -1..1.
+    """Return the stereo sound (N, 2) at the film's camera at `RATE_HZ`; no sample exceeds -1..1.
 
     Parameters
     ----------

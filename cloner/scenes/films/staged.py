@@ -31,7 +31,7 @@ HELD_M, ABOVE_M = 0.44, 0.10
 def acted_by(
     film: Film, stock: CrowdArrays, people: Sequence[Mapping[str, Any]], progress: Progress = no_progress
 ) -> tuple[Acted, dict[str, Any]]:
-    """Return what the clones of a pack act in a film, and how it is staged.
+    """Return what a pack's clones act in a film, and the staging.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def _clip(names: Sequence[str], name: str, otherwise: int) -> int:
 
 
 def _track(film: Film, who: int, actor: Actor, names: Sequence[str], speeds: Array, before: Sequence[Track]) -> Track:
-    """Return where somebody is, looks and what is done, ten times a second; later actors are seen as they begin."""
+    """Return somebody's place, heading and act, ten times a second; later actors are visible from their start."""
     count = int(np.ceil(film.seconds / STEP_S)) + 2
     places, headings = np.zeros((count, 2)), np.zeros(count)
     acts, walks = np.full(count, IDLE), np.full(count, WALK)
@@ -182,7 +182,7 @@ def _staging(film: Film, tracks: Sequence[Track], heads: Sequence[int], middles:
 
 
 def _line(keys: Sequence[Key], begin: tuple[float, ...]) -> list[list[float]]:
-    """Return keys that hold between changes; a change that begins while another goes on takes its end as done."""
+    """Return keys that hold between changes; a change that begins during another starts from its end value."""
     rows, held = [[0.0, *begin]], list(begin)
     for one in keys:
         rows += [[max(one.when, rows[-1][0]), *held], [max(one.when + one.seconds, rows[-1][0]), *one.values]]
@@ -243,7 +243,7 @@ def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Seque
 def with_statues(
     acted: Acted, stock: CrowdArrays, statues: Sequence[tuple[float, float, float, float, float]], seconds: float
 ) -> tuple[Acted, dict[str, Any]]:
-    """Return what is acted with statues added that stand on things of a room, and how that is staged.
+    """Return what is acted with statues added on things of a room, and the staging.
 
     Parameters
     ----------

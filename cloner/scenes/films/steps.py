@@ -31,7 +31,7 @@ def heel() -> Array:
 
 
 def steps_of(acted: Acted, staging: Staging, seconds: float) -> list[Source]:
-    """Return the steps that the film's ear hears in so many seconds."""
+    """Return the footsteps audible in some seconds of film."""
     sound, found = heel(), []
     own = {who: _higher(sound, who) for who in range(len(acted.people))}
     for when, who in sorted(_down(acted)):

@@ -25,18 +25,18 @@ from cloner.scenes.films.sequence import Sequence as Film
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Voices:
-    """All that is said: by whom and when, and each one's sound (N,) of `RATE_HZ`, -1..1."""
+    """Speech: who speaks when, and each one's sound (N,) at `RATE_HZ`, -1..1."""
 
     said: tuple[Utterance, ...]
     sounds: tuple[Array, ...]
 
     def sources(self) -> list[Source]:
-        """Return what the film's ear hears of it."""
+        """Return its sound sources."""
         return [Source(one.when, one.who, sound) for one, sound in zip(self.said, self.sounds, strict=True)]
 
 
 def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
-    """Return what is said in a film whose files lie in a folder, for its pack and for its ear; None without any.
+    """Return the speech of a film whose files lie in a folder, for its pack and its sound; None without any.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
 
 
 def _rows(speech: Speech) -> NDArray[np.float32]:
-    """Return (F, WEIGHTS) weights of the face of who says it."""
+    """Return the weights (F, WEIGHTS) of the speaker's face."""
     _, weights = face_weights(speech.shares)
     out = np.zeros((len(next(iter(weights.values()))), WEIGHTS), np.float32)
     for name, values in weights.items():

@@ -16,7 +16,7 @@ _TOKEN: Final = re.compile(r'\s*(?:("[^"]*")|([+-]?(?:\d+\.?\d*|\.\d+))|([^\W\d]
 
 
 class Words:
-    """The words of one line, taken one after another; whatever does not fit is told with line, column and what does."""
+    """The tokens of one line; errors give line, column and what was expected."""
 
     def __init__(self, line: str, number: int, where: str) -> None:
         self._where, self._number, self._at = where, number, 0
@@ -33,7 +33,7 @@ class Words:
         return self._at < len(self._tokens)
 
     def wrong(self, expected: str, back: int = 0) -> ClonerError:
-        """Return what to raise: what stands there, and what was expected."""
+        """Return the error for an unexpected token."""
         at = self._at - back
         shown = printable(repr(self._tokens[at][1])) if at < len(self._tokens) else "the line's end"
         column = self._tokens[at][2] if at < len(self._tokens) else (self._tokens[-1][2] + len(self._tokens[-1][1]))
@@ -80,7 +80,7 @@ class Words:
         return value
 
     def numbers(self, count: int, expected: str, low: float = -FARTHEST, high: float = FARTHEST) -> tuple[float, ...]:
-        """Take so many numbers with commas."""
+        """Take some numbers separated by commas."""
         found = [self.number(expected, low, high)]
         for _ in range(count - 1):
             self.must(",")

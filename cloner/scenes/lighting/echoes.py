@@ -47,13 +47,13 @@ class Echo:
 
 
 def echo_at(room: Room, place: Array, rays: int = RAYS) -> Echo:
-    """Return how a clap at arm's length sounds at a place (3,), metres, in the frame of rooms."""
+    """Return the impulse response of a clap at arm's length at a place (3,), metres, in the frame of rooms."""
     energy = energies(room, place + (APART_M, 0.0, 0.0), place, rays)
     return Echo(_sounding(energy), rings_s(energy))
 
 
 def energies(room: Room, source: Array, ear: Array, rays: int = RAYS) -> Array:
-    """Return (n,) what comes to an ear in each millisecond, shares of what leaves a source, a square metre."""
+    """Return the energy (n,) received per millisecond, share of what leaves a source, per square metre."""
     stops, rng = Stops(room.stops), np.random.default_rng(_SEED)
     takes = np.array([TAKES.get(one.look, TAKES[PHOTOS_TAKE_AS]) for one in room.stops])
     out = np.zeros(round(LONGEST_S / STEP_S))
@@ -89,7 +89,7 @@ def _slot(far_m: float) -> int:
 
 
 def _hits(stops: Stops, at: Array, ways: Array) -> tuple[NDArray[np.int64], Array]:
-    """Return what each ray from its own place meets first, -1 where nothing, and how far it is, metres."""
+    """Return the first hit of each ray, -1 for none, and its distance, metres."""
     falls = ways @ stops.normal.T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         away = ((stops.corner * stops.normal).sum(axis=1) - at @ stops.normal.T) / falls

@@ -133,7 +133,7 @@ def _counts(size: tuple[float, float], step: float, more: int) -> tuple[int, int
 
 
 def _albedo(panel: Panel, looks: Mapping[str, Look]) -> Array:
-    """Return what a panel gives back, its parts weighed by area."""
+    """Return a panel's albedo, averaged over its parts by area."""
     areas = np.array([(u1 - u0) * (v1 - v0) for (u0, v0, u1, v1), _ in panel.parts])
     own = np.array([looks[look].albedo for _, look in panel.parts])
     return np.asarray((areas[:, None] * own).sum(axis=0) / areas.sum())

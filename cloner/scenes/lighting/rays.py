@@ -33,7 +33,7 @@ class Stops:
         self.low, self.high = self.corners.min(axis=1), self.corners.max(axis=1)
 
     def first(self, origin: Array, ways: Array, normal: Array | None = None) -> tuple[NDArray[np.int64], Array, Array]:
-        """Return what rays from one place meet first.
+        """Return the first hits of rays from one origin.
 
         Parameters
         ----------

@@ -69,7 +69,7 @@ def lent_to(living: Living, host: str) -> Iterator[str]:
 
 
 def _admits(token: str, connection: Any, request: Any) -> Any:
-    """Let in who knows the token and is no page; None lets in."""
+    """Admit clients that know the token and are not pages; None admits."""
     told = request.path.removeprefix("/")
     if hmac.compare_digest(told.encode(), token.encode()) and "Origin" not in request.headers:
         return None
@@ -260,7 +260,7 @@ class _Lender:
         self.said(f"not lent: {printable(str(wrong))}" if wrong else f"{name} is in the scene")
 
     def _told(self, link: Any, wait_s: float) -> dict[str, Any]:
-        """Return what the other booth says within a time, nothing where it says nothing."""
+        """Return the other booth's message within a time, nothing on timeout."""
         try:
             found = json.loads(link.recv(timeout=wait_s))
         except (TimeoutError, ValueError, RecursionError):

@@ -32,7 +32,7 @@ FARTHEST_M: Final = 10.0
 
 
 def wanted_of(facts: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what of a pack's facts :func:`~cloner.scenes.served.newcomers.newcomer_of` reads; nobody's name."""
+    """Return the facts of a pack that :func:`~cloner.scenes.served.newcomers.newcomer_of` reads, without names."""
     own = facts["people"][0]
     clips = [{"name": one["name"]} for one in own["clips"]]
     return {

@@ -51,7 +51,7 @@ Event = tuple[str, dict[str, Any]]
 
 @dataclass(slots=True, eq=False)
 class _There:
-    """A newcomer who is there: what pages are told, the files they may ask for, whose part it plays from when."""
+    """A newcomer in the scene: its description for pages, its files, and whose part it plays from when."""
 
     told: dict[str, Any]
     newcomer: Newcomer

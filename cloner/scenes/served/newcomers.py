@@ -37,7 +37,7 @@ _GENERIC: Final = re.compile(r"generic ([0-9a-f]+)")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Newcomer:
-    """A clone that can join: files by name, what the page is told of them, touches (K, 48, 6) and clips (K, 2)."""
+    """A clone that can join: files by name, its description for the page, touches (K, 48, 6) and clips (K, 2)."""
 
     files: Mapping[str, bytes]
     row: Mapping[str, Any]
@@ -97,7 +97,7 @@ def finished_in(folder: Path) -> tuple[Path, ...]:
 
 
 def finder_of(clones: Path | Callable[[], tuple[Path, ...]]) -> Callable[[], tuple[Path, ...]]:
-    """Return what finds the clones that may be shown, the newest first, in a folder of results or as it is given.
+    """Return a finder of the clones that may be shown, the newest first, in a folder of results.
 
     Raises
     ------

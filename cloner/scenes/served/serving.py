@@ -54,7 +54,7 @@ def serve_folder(
     host: str = HOST, port: int = 0, lent: Callable[[Living, str], AbstractContextManager[str]] | None = None,
     said: Callable[[str], None],
 ) -> None:  # fmt: skip
-    """Show a built scene that goes on and into which finished clones come, until it is interrupted.
+    """Serve a built, running scene that finished clones can join, until it is interrupted.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def silent() -> logging.Logger:
 
 
 def _answer(state: _State, connection: Any, request: Any) -> Any:
-    """Answer a request by HTTP; None lets a page's own socket in."""
+    """Answer an HTTP request; None accepts a page's own socket."""
     token, slash, path = request.path.removeprefix("/").partition("/")
     headers = request.headers
     here = headers.get_all("Host") == [state.host]  # else a page elsewhere has given this machine its own name
@@ -235,7 +235,7 @@ def _receive(state: _State, page: Any) -> None:
 
 
 def _message(said: str | bytes) -> tuple[str, str] | None:
-    """Return what a page asks and the text with it; None for what is no message."""
+    """Return a page's request and its text; None for an invalid message."""
     try:
         found = json.loads(said)
     except (ValueError, RecursionError):

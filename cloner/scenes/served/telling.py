@@ -27,7 +27,7 @@ def state_of(kept: bytes) -> str:
 
 
 def described(pack: Path) -> Any:
-    """Return what a pack says of its page now, None where there is no pack any more."""
+    """Return a pack's current description of its page, None where the pack is gone."""
     try:
         return json.loads((pack / MARK).read_bytes())["player"]
     except (OSError, ValueError, LookupError, TypeError):

@@ -104,7 +104,7 @@ def _track(number: int, length: int, rate: int, count: int, at: int) -> bytes:
 
 
 def _chunks(count: int, rate: int, at: int) -> bytes:
-    """Return where each second of samples begins."""
+    """Return the offset of each second of samples."""
     firsts = range(0, count, rate)
     return struct.pack(f">I{len(firsts)}Q", len(firsts), *(at + 2 * _CHANNELS * first for first in firsts))
 

@@ -67,7 +67,7 @@ def write_film(
 
 
 def png_text(told: str) -> PngInfo:
-    """Return what a picture says of itself, for Pillow."""
+    """Return the text entries of a picture, for Pillow."""
     info = PngInfo()
     info.add_text("Software", told)
     return info

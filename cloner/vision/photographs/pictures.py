@@ -221,7 +221,7 @@ def _eight_bit(image: Image.Image) -> Image.Image:
 
 
 def _over_white(image: Image.Image) -> Image.Image:
-    """Return the image without alpha, laid over white."""
+    """Return the image composited over white."""
     if image.mode in {"RGBA", "LA", "PA", "La", "RGBa"}:
         layered = image.convert("RGBA")
         white = Image.new("RGBA", layered.size, (255, 255, 255, 255))
