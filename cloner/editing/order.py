@@ -65,7 +65,7 @@ def _outlier_probability(expected: Array) -> Array:
     tolerates.
 
     Nearer, a joint's correction turns a limb in its own photo, a point of the outline bends the skin around itself, and
-    neither shapes the person (``stages/points.py``, for_fitting).
+    neither shapes the person (``stages/points.py``, points_for_fit).
     Errors are normal along both axes of a photo, so their lengths are Rayleigh's.
     """
     return np.asarray(np.exp(-np.pi / 4.0 * (FAR / np.maximum(expected, 1e-6)) ** 2))

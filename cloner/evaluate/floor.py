@@ -41,7 +41,7 @@ def ask_nets(photos: PhotoSet) -> None:
 
     for _ in parallel_map(ask, photos.photos.values()):
         pass
-    DETECTORS.get("let_nets_go")()
+    DETECTORS.get("release_nets")()
 
 
 def encode_pictures(clone: Clone, folder: Path) -> int:

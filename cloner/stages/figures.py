@@ -120,7 +120,7 @@ def find_figure(photo: Photo) -> Figure:
 def _pose_of_undetected(photo: Photo) -> PoseResult | None:
     """Return the pose of a person whom no detector sees, or not completely; None where there is none."""
     if photo.view is ViewId.FACE_SIDE:
-        return cast(PoseResult | None, DETECTORS.get("pose_with_room")(photo.rgb))
+        return cast(PoseResult | None, DETECTORS.get("padded_pose")(photo.rgb))
     standing = standing_mask(photo) if photo.view.is_body else None
     return None if standing is None else DETECTORS.get("pose_in_mask")(photo.rgb, standing)
 

@@ -118,5 +118,5 @@ def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:
             views[view] = found
         tick((len(views) + len(unseen)) / len(photos.photos))
     settled = resolve_hidden(photos, views, unseen)
-    DETECTORS.get("let_nets_go")()  # no later stage asks them
+    DETECTORS.get("release_nets")()  # no later stage asks them
     return StageResult({"proposals": settled})

@@ -85,8 +85,8 @@ def test_a_folder_used_for_one_visitor_after_the_other_belongs_to_the_last(tmp_p
 
 def killed(out: Path, identifier: str) -> None:
     code = "import os, signal, sys; from pathlib import Path; from cloner.project.atomic import result_folder\n"
-    code += "from cloner.project.claims import claimed\nout, name = Path(sys.argv[1]), sys.argv[2]\n"
-    code += "with claimed(out, name), result_folder(out, name) as inside:\n"
+    code += "from cloner.project.claims import claim\nout, name = Path(sys.argv[1]), sys.argv[2]\n"
+    code += "with claim(out, name), result_folder(out, name) as inside:\n"
     code += "    (inside / 'face.jpg').write_text('x'); os.kill(os.getpid(), signal.SIGKILL)"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     done = subprocess.run([sys.executable, "-c", code, str(out), identifier], env=environment, check=False)

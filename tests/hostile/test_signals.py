@@ -86,7 +86,7 @@ def test_a_window_that_is_asked_to_end_does(number: signal.Signals) -> None:
 def test_nohup_is_obeyed(tmp_path: Path, root: Path) -> None:
     code = "import os, signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n"
     code += "from cloner import cli, terminal\n"
-    code += "cli.ended = lambda work: os.kill(os.getpid(), signal.SIGHUP) or 0\ncli.main()"
+    code += "cli.run_command = lambda work: os.kill(os.getpid(), signal.SIGHUP) or 0\ncli.main()"
     assert subprocess.run([sys.executable, "-c", code], env=environment(), check=False).returncode == 0
 
 

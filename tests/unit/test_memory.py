@@ -31,7 +31,7 @@ def test_freed_memory_goes_back():
 def test_threads_take_from_one_heap():
     """A new arena is 64 MiB of addresses a thread (glibc's HEAP_MAX_SIZE)."""
     assert addresses_of_threads("") > 200.0
-    assert addresses_of_threads("keep_one_heap()") < 100.0
+    assert addresses_of_threads("use_one_heap()") < 100.0
 
 
 def addresses_of_threads(first):
@@ -45,7 +45,7 @@ def addresses_of_threads(first):
 THREADS = """
 import sys, threading
 from pathlib import Path
-from cloner.memory import keep_one_heap
+from cloner.memory import use_one_heap
 threading.stack_size(256 * 1024)
 def addresses():
     return int(Path("/proc/self/statm").read_text().split()[0]) * 4096 / 2**20

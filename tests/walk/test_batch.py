@@ -188,8 +188,8 @@ def test_broken_manifests_are_refused_in_words(visitors: Path, text: str, words:
 
 def test_two_runs_never_clone_one_visitor_at_once(visitors: Path, tmp_path: Path, cloned: list[str]) -> None:
     out = tmp_path / "out"
-    script = "import sys,time; from pathlib import Path; from cloner.project.claims import claimed\n"
-    script += "with claimed(Path(sys.argv[1]), 'anna') as ours: print(ours, flush=True); time.sleep(60)"
+    script = "import sys,time; from pathlib import Path; from cloner.project.claims import claim\n"
+    script += "with claim(Path(sys.argv[1]), 'anna') as ours: print(ours, flush=True); time.sleep(60)"
     other = subprocess.Popen([sys.executable, "-c", script, str(out)], stdout=subprocess.PIPE, text=True)
     try:
         assert other.stdout is not None
