@@ -33,7 +33,7 @@ class ClothingEase:
     Attributes
     ----------
     segments : tuple of str
-    mean_m, spread_m : float
+    mean_m, sigma_m : float
         Usual distance and one standard deviation, metres.
     hangs : bool
         Whether the distance grows from nothing at a segment's top to all of it at its end.

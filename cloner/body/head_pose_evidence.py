@@ -47,7 +47,7 @@ class Params:
     Attributes
     ----------
     thickness_mm : tuple of four (mean, spread) of the numbers of the hair's thickness.
-    turns, looks_at : int
+    iterations, looks_at : int
         Gauss-Newton steps (six find no better heads on eight painted people), and before which of them skin is looked
         up: nearer to the truth than the phenotype's head, whose skin lies beyond the search.
     """

@@ -20,7 +20,7 @@ from cloner.records.points import Proposals, ViewPoints
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.observed_joints")
 
-#: A joint seen so many spreads away has lost half of its weight.
+#: Cauchy scale in sigmas: an observed joint that far away has lost half of its weight.
 OUTLIER: Final = _CALIBRATED.number("outlier", "sigmas")
 
 
@@ -33,7 +33,7 @@ class ObservedJoints:
     joints : (N,) int64
         Rows of the skeleton.
     places_px : (N, 2) float64
-    spread_px : (N,) float64
+    sigma_px : (N,) float64
         Expected errors along one picture axis.
     """
 

@@ -57,7 +57,7 @@ class PointTerm:
     """Named points of one photo against joints and features of the model; corrected points keep their weight.
 
     The pose net's points are expected where the net was calibrated to put them. A
-    proposal farther away than ``fade`` spreads loses its weight: one wrong point
+    proposal farther away than ``fade`` sigmas loses its weight: one wrong point
     cannot drag a limb.
     """
 

@@ -99,7 +99,7 @@ def obey_pose(
     joints_m : (94, 3) rest pose
     views : mapping
         Camera and pose of every body photo.
-    wishes : list of Wish
+    targets : list of Wish
     """
     if not targets:
         return joints_m, dict(views), []

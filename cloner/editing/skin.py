@@ -118,7 +118,7 @@ def obey_skin(
     joints_m : (94, 3)
     views : mapping
         Camera and pose of every body photo.
-    wishes : list of Wish
+    targets : list of Wish
     stature_m : float
         Scales reaches that are measured on the generic skin.
     """

@@ -85,7 +85,7 @@ class BodyNet:
     ----------
     offset : (4, M, 3) float64
         Place beside the base in rest pose, model axes, shares of the stature; sides in the order of `SIDES`.
-    spread : (4, M) float64
+    sigma : (4, M) float64
         Spread along one picture axis, shares of the stature.
     """
 
@@ -108,7 +108,7 @@ class NetPoints:
         The joint or feature that carries each point.
     offset : (N, 3)
         Place beside the base in rest pose, model axes, shares of the stature.
-    spread : (N,)
+    sigma : (N,)
         Expected error along one picture axis, shares of the stature.
     """
 

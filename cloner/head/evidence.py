@@ -94,7 +94,7 @@ class SideEvidence:
     """Observations of the side photo: named points with their sigmas (m), the contour with its normals; +1 looks to
     image right.
 
-    ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them,
+    ``matches`` are skin points inside the outline, matched with the front photo,
     ``outline`` the whole person's. Of the named points those inside the outline find the first camera; in the fit
     ``ears`` and ``inside`` stand for them.
     """

@@ -43,7 +43,7 @@ class SideFindings:
 
     Attributes
     ----------
-    flank : Flank
+    contour : Flank
     cues : mapping of str to float
         Seen levels.
     levels : Levels

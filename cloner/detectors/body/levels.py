@@ -56,7 +56,7 @@ class Levels:
     Attributes
     ----------
     level : mapping of str to float
-    spread : mapping of str to float
+    sigma : mapping of str to float
         Standard deviation, same unit.
     refused : tuple of str
         Seen levels that contradict the others and were not used.

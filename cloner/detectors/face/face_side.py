@@ -68,7 +68,7 @@ class SideFace:
         +1 when the person looks to the image's right, -1 to the left.
     outline_px : (N, 4) float64
         The person's outline and its outward normals.
-    laid : Laid
+    fitted : Laid
     names : tuple of str
         Those of paired points end with the side that is seen.
     points_px : (K, 2) float64
@@ -166,7 +166,7 @@ def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, fitted: Fitt
     ----------
     rgb : (H, W, 3) uint8
     model : ProfileModel
-    laid : Laid
+    fitted : Laid
     """
     curve = fitted.curve_px(model)
     picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * fitted.size, unit=_UNIT_PX)

@@ -1,6 +1,6 @@
 """Removal of wall from the mask before a side face: a wall of skin's colour can join nose and lips.
 
-Where the mask stands out before the profile that was laid on it, and what stands out has the colours of the wall
+Where the mask stands out before the fitted profile, and what stands out has the colours of the wall
 around rather than of the face behind, it is cut away. Hair, beards and glasses have other colours than the wall.
 """
 
@@ -71,7 +71,7 @@ def wall_before_profile(rgb: Picture, mask: Picture, model: ProfileModel, fitted
     rgb : (H, W, 3) uint8
     mask : (H, W) uint8
         Probability of the person, 0..255.
-    model, laid
+    model, fitted
         The profile and how it lies on the mask.
     """
     person = mask > 127

@@ -55,7 +55,7 @@ class Source:
     ----------
     view : ViewId
     mirrored : bool
-    plate : Plate
+    matted : Plate
     sight : Sight
     lookup_px : (V, 2) float64
         Where the photo shows each vertex after the outlines were aligned.
@@ -191,7 +191,7 @@ def shown_colours(
 ) -> NDArray[np.float32]:
     """Return the photo's colours (N, 3) at lookups (N, 2), levels, overexposed skin restored.
 
-    ``skin`` (N,) in 0..1 is what the plate's ``skin`` shows there, where that is known already.
+    ``skin`` (N,) in 0..1 is the matted photo's ``skin`` there, where it is known already.
     """
     matted = source.matted
     colour = sample(matted.blurred if blurred else matted.rgb, lookup_px)
