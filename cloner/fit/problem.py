@@ -72,8 +72,13 @@ class Solution:
 
     def covariance(self, *names: str) -> Array:
         """Return the joint covariance (n, n) of some blocks, in the order of their names."""
-        rows = np.concatenate([np.arange(self.slices[name].start, self.slices[name].stop) for name in names])
+        rows = _indices(self.slices, names)
         return np.asarray(np.linalg.inv(self.information)[np.ix_(rows, rows)])
+
+
+def _indices(slices: Mapping[str, slice], names: Iterable[str]) -> NDArray[np.int64]:
+    """Return the places (n,) of some blocks in the stacked parameter vector."""
+    return np.concatenate([np.arange(slices[name].start, slices[name].stop) for name in names])
 
 
 class Problem:
@@ -88,7 +93,7 @@ class Problem:
         self.blocks = dict(blocks)
         ends = np.cumsum([0, *(len(block.initial) for block in self.blocks.values())]).tolist()
         self.slices = {name: slice(*pair) for name, *pair in zip(self.blocks, ends, ends[1:], strict=False)}
-        self._prior = {
+        self._stacked = {
             name: np.concatenate([block.per_parameter(name) for block in self.blocks.values()])
             for name in ParameterBlock.__slots__
         }
@@ -99,11 +104,11 @@ class Problem:
 
     def normal_equations(self, vector: Array, found: Iterable[Residuals]) -> tuple[Array, Array]:
         """Return the information matrix (X, X) and the right-hand side (X,) at a parameter vector (X,)."""
-        prior, offset = self._prior, vector - self._prior["mean"]
+        prior, offset = self._stacked, vector - self._stacked["mean"]
         pull = cauchy_weights((offset / prior["sigma"]) ** 2, prior["cauchy_scale"]) / prior["sigma"] ** 2
         matrix, right = np.diag(pull), -pull * offset - prior["decay_rate"]
         for term in found:
-            columns = np.concatenate([np.arange(self.slices[name].start, self.slices[name].stop) for name in term.of])
+            columns = _indices(self.slices, term.of)
             root = np.sqrt(np.broadcast_to(term.weight, term.value.shape))
             jacobian = diags_array(root) @ term.jacobian if issparse(term.jacobian) else term.jacobian * root[:, None]
             squared = jacobian.T @ jacobian
@@ -127,7 +132,7 @@ class Problem:
         tolerance : float
             Stop once a step is shorter than this many sigmas of every parameter (or this long, without a prior).
         """
-        vector, prior = self._prior["initial"].copy(), self._prior
+        vector, prior = self._stacked["initial"].copy(), self._stacked
         scale = np.where(np.isfinite(prior["sigma"]), prior["sigma"], 1.0)
         room = np.where(np.isfinite(prior["max_sigmas"]), prior["max_sigmas"] * scale, np.inf)
         guard = np.maximum(prior["lower"], prior["mean"] - room), np.minimum(prior["upper"], prior["mean"] + room)

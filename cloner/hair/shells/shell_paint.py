@@ -106,8 +106,8 @@ def paint_shell(
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
-    by_view = reference_index(_shown(usable), CLOTH_REFERENCES) if strands is None else None
-    first = int(np.argmax(claims.sum(axis=1) * own)) if by_view is None else by_view
+    widest = int(np.argmax(claims.sum(axis=1) * own))
+    first = reference_index(_shown(usable), CLOTH_REFERENCES) if strands is None else widest
     light, evened = _normalised_colours(pictures, sights, seen, normals, first, own)
     shown = [_ColourSource(*each) for each in zip(pictures, sights, claims, light, strict=True)]
     sure, summed = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
