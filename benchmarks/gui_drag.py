@@ -29,7 +29,7 @@ from PySide6.QtWidgets import QApplication
 from cloner import pipeline
 from cloner.booth.opened import Cloned, read_cloned
 from cloner.booth.photos.photo_files import placed_photos
-from cloner.booth.visitors.kept import WORK
+from cloner.booth.visitors.cached_work import WORK
 from cloner.frames import ViewId
 from cloner.interactive.relinking import live_outline
 from cloner.project.corrections import no_corrections

@@ -9,16 +9,16 @@ from pathlib import Path
 from typing import Final, cast
 
 from cloner import pipeline
-from cloner.booth.growing import shape_after
+from cloner.booth.body_preview import shape_after
 from cloner.booth.handover.handing import hand_over
 from cloner.booth.phone.parcel import pack
-from cloner.booth.photos.looking import look
-from cloner.booth.photos.looking_table import Look
+from cloner.booth.photos.photo_check import check_photo
 from cloner.booth.photos.photo_files import placed_photos
-from cloner.booth.strolling import draw_stroll
-from cloner.booth.visitors.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
-from cloner.booth.visitors.versions import keeping_before
-from cloner.booth.worker import not_shown
+from cloner.booth.photos.photo_problems import PhotoCheck
+from cloner.booth.visitors.cached_work import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, cached_values, photo_digests
+from cloner.booth.visitors.versions import keep_previous
+from cloner.booth.walk_pictures import draw_walk_pictures
+from cloner.booth.worker import ignore
 from cloner.cloning import clone_folder
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -48,21 +48,21 @@ class Jobs:
         Takes the `Shape` of the body after every stage of a clone that changes it.
     """
 
-    def __init__(self, show: Callable[[object], None] = not_shown) -> None:
+    def __init__(self, show: Callable[[object], None] = ignore) -> None:
         self._show = show
         self._proposals: OrderedDict[tuple[str, ViewId], Proposal] = OrderedDict()
 
-    def look(self, path: Path, wanted: ViewId | None, progress: Progress) -> Look:
-        """Return which view a photo shows and what is wrong with it; what the nets said is remembered."""
+    def look(self, path: Path, wanted: ViewId | None, progress: Progress) -> PhotoCheck:
+        """Return a photo's view and its problems; the nets' results are cached."""
         progress("look", 0.0)
         photo = load_photo(path, wanted or ViewId.BODY_FRONT)
-        told, proposal = look(photo, wanted)
+        told, proposal = check_photo(photo, wanted)
         if proposal is not None:
             self._remember(photo.digest, proposal)
         return told
 
     def propose(self, folder: Path, progress: Progress) -> Path:
-        """Find the points of all photos of a visitor, keep them in the work folder, and return the file.
+        """Propose the points of all photos of a visitor, store them in the work folder, and return the file.
 
         Raises
         ------
@@ -92,11 +92,11 @@ class Jobs:
         }
         found, _ = pipeline.run(values, stages=stages)
         kept = {name: found[name] for name in ("proposals", "body_points", "face_points")}
-        save_values(kept | {"digests": digests(photos)}, folder / WORK / PROPOSED_FILE)
+        save_values(kept | {"digests": photo_digests(photos)}, folder / WORK / PROPOSED_FILE)
         return folder / WORK / PROPOSED_FILE
 
     def clone(self, folder: Path, formats: Sequence[str], progress: Progress) -> float:
-        """Clone a visitor, keep what the next clone and refits need in the work folder, and return the seconds.
+        """Clone a visitor, cache what later clones and refits need, and return the seconds.
 
         Raises
         ------
@@ -105,28 +105,30 @@ class Jobs:
         """
         start = time.monotonic()
         photos = _photos(folder)
-        known = known_values(folder, photos)
-        with keeping_before(folder, safe_identifier(folder.name), digests(photos)):
+        known = cached_values(folder, photos)
+        with keep_previous(folder, safe_identifier(folder.name), photo_digests(photos)):
             outcome = clone_folder(
                 folder, folder / RESULTS, formats=formats, known=known, progress=progress, found=self._found
             )
         values = outcome.values
         kept = {name: value for name, value in values.items() if name not in _ELSEWHERE}
-        stamp = {"digests": digests(cast(PhotoSet, values["photos"])), "person": values["person"]}
+        stamp = {"digests": photo_digests(cast(PhotoSet, values["photos"])), "person": values["person"]}
         save_values(kept | stamp, folder / WORK / VALUES_FILE)
         return time.monotonic() - start
 
     def hand_over(self, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
-        """Write what a visitor takes home into a folder or a zip file: `cloner.booth.handover.handing.hand_over`."""
+        """Write the files for a visitor into a folder or a zip file: `cloner.booth.handover.handing.hand_over`."""
         return hand_over(result, target, formats, progress)
 
     def pack(self, folder: Path, result: Path, progress: Progress) -> Path:
-        """Make what the page for telephones shows of a visitor; see `cloner.booth.phone.parcel.pack`."""
+        """Make what the page for phones shows of a visitor; see `cloner.booth.phone.parcel.pack`."""
         return pack(folder, result, progress)
 
     def stroll(self, folder: Path, result: Path, progress: Progress) -> Path:
-        """Draw a visitor's clone walking, for the visitors' screen; see `cloner.booth.strolling.draw_stroll`."""
-        return draw_stroll(folder, result, progress)
+        """Draw a visitor's walking clone for the visitors' screen; see
+        `cloner.booth.walk_pictures.draw_walk_pictures`.
+        """
+        return draw_walk_pictures(folder, result, progress)
 
     def _found(self, step: str, values: Mapping[str, object]) -> None:
         shape = shape_after(step, values)
@@ -141,7 +143,7 @@ class Jobs:
 
 
 def _photos(folder: Path) -> PhotoSet:
-    """Return the photos of a visitor, whichever there are."""
+    """Return a visitor's photos, those that exist."""
     photos = placed_photos(folder)
     if not photos.photos:
         raise ClonerError("there is no photo yet", "Take the photos first", folder.name)

@@ -16,13 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.booth.handover.takeaway import has_result
-from cloner.booth.photos.looking_table import Look
-from cloner.booth.photos.looks import read_looks
+from cloner.booth.photos.check_cache import read_checks
 from cloner.booth.photos.photo_files import placed_photos, tray_photos
-from cloner.booth.visitors.kept import CLONE_FILE, RESULTS, digests, known_values, proposed_points
-from cloner.booth.visitors.mending import mend_visitor
+from cloner.booth.photos.photo_problems import PhotoCheck
+from cloner.booth.visitors.cached_work import CLONE_FILE, RESULTS, cached_values, photo_digests, proposed_points
 from cloner.booth.visitors.person_file import person_facts
-from cloner.booth.visitors.versions import mend_versions
+from cloner.booth.visitors.repair import repair_visitor
+from cloner.booth.visitors.versions import finish_swap
 from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m
 from cloner.project.clone_file import load_clone
@@ -44,7 +44,7 @@ THUMBNAIL_PX: Final = 640
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cloned:
-    """A finished clone as it lies in its folder.
+    """A finished clone in its folder.
 
     Attributes
     ----------
@@ -64,13 +64,13 @@ class Cloned:
     corrections_digest: str = ""
 
     def obeys(self, corrections: Corrections) -> bool:
-        """Return whether it was made with these very corrections."""
+        """Return whether it was made with exactly these corrections."""
         same = self.corrections_digest == corrections_digest(corrections)
         nothing = ("", corrections_digest(no_corrections()))
         return same or (self.corrections_digest in nothing and not any(corrections.points.values()))
 
     def has_height_of(self, height_cm: float | None) -> bool:
-        """Return whether it was made with this height, None for an unknown one; one that cannot tell was."""
+        """Return whether it was made with this height (None: unknown); True if it does not record one."""
         person = self.values.get("person")
         if person is None:
             return True
@@ -80,7 +80,7 @@ class Cloned:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TrayPhoto:
-    """A photo that shows no view yet.
+    """A photo that is not assigned to a view yet.
 
     Attributes
     ----------
@@ -96,7 +96,7 @@ class TrayPhoto:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Opened:
-    """A visitor's folder, read.
+    """A visitor's folder, as read.
 
     Attributes
     ----------
@@ -128,21 +128,21 @@ class Opened:
     corrections: Corrections
     warnings: tuple[str, ...] = ()
     tray: tuple[TrayPhoto, ...] = ()
-    looks: Mapping[str, Look] = field(default_factory=dict)
+    looks: Mapping[str, PhotoCheck] = field(default_factory=dict)
     thumbnails: Mapping[ViewId, NDArray[np.uint8]] = field(default_factory=dict)
     proposed: Mapping[str, Any] = field(default_factory=dict)
     cloned: Cloned | None = None
 
 
 def open_visitor(folder: Path) -> Opened:
-    """Return a visitor's folder, read.
+    """Read a visitor's folder.
 
     Raises
     ------
     ClonerError
         If the folder is missing, or something in it cannot be read.
     """
-    mended = _mended(folder) if folder.is_dir() else ()
+    mended = _repaired_corrections(folder) if folder.is_dir() else ()
     photos = placed_photos(folder)
     corrections, warnings = _corrections(folder, photos)
     _, height_cm, consent = person_facts(folder)
@@ -155,7 +155,7 @@ def open_visitor(folder: Path) -> Opened:
         corrections,
         (*mended, *warnings),
         tuple(_tray(folder)),
-        read_looks(folder),
+        read_checks(folder),
         {view: thumbnail(photo.rgb) for view, photo in photos.photos.items()},
         proposed_points(folder, photos),
         read_cloned(folder, photos),
@@ -163,7 +163,7 @@ def open_visitor(folder: Path) -> Opened:
 
 
 def _tray(folder: Path) -> Iterator[TrayPhoto]:
-    """Yield the photos of the tray; one that cannot be read shows as an empty picture, to be removed."""
+    """Yield the photos of the tray; an unreadable one becomes an empty picture that can be removed."""
     for path in tray_photos(folder):
         try:
             picture = read_picture(path)
@@ -181,7 +181,7 @@ def thumbnail(rgb: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def _corrections(folder: Path, photos: PhotoSet) -> tuple[Corrections, tuple[str, ...]]:
-    """Return the corrections; those that a retaken, smaller photo left outside are not shown, but their file stays."""
+    """Return the corrections without those outside a retaken, smaller photo; the file keeps them."""
     corrections = read_corrections(folder)
     try:
         return corrections, check_against(corrections, photos)
@@ -189,22 +189,22 @@ def _corrections(folder: Path, photos: PhotoSet) -> tuple[Corrections, tuple[str
         return no_corrections(), (str(error),)
 
 
-def _mended(folder: Path) -> tuple[str, ...]:
+def _repaired_corrections(folder: Path) -> tuple[str, ...]:
     with contextlib.suppress(OSError):  # a clone that cannot be read is made again
-        mend_versions(folder, safe_identifier(folder.resolve().name))
-    return mend_visitor(folder)
+        finish_swap(folder, safe_identifier(folder.resolve().name))
+    return repair_visitor(folder)
 
 
 def read_cloned(folder: Path, photos: PhotoSet) -> Cloned | None:
-    """Return the finished clone of these very photos; None where there is none, or it is another's."""
+    """Return the finished clone if it was made of exactly these photos, else None."""
     result = folder / RESULTS / safe_identifier(folder.resolve().name)
     if not has_result(result):
         return None
     try:
         report = json.loads(read_text(result / RESULT_MARK))
-        if report[_STAMP]["photos"] != digests(photos):
+        if report[_STAMP]["photos"] != photo_digests(photos):
             return None
-        values = {**known_values(folder, photos), "clone": load_clone(result / CLONE_FILE)}
+        values = {**cached_values(folder, photos), "clone": load_clone(result / CLONE_FILE)}
         return Cloned(result, values, tuple(report["warnings"]), _obeyed_digest(folder, report[_STAMP]))
     except (ClonerError, OSError, ValueError, KeyError, TypeError):
         log.warning("%s: its clone cannot be read and has to be made again", folder.name)
@@ -212,12 +212,12 @@ def read_cloned(folder: Path, photos: PhotoSet) -> Cloned | None:
 
 
 def corrections_digest(corrections: Corrections) -> str:
-    """Return the sha256 of corrections as their file is written."""
+    """Return the sha256 of the corrections' file content."""
     return hashlib.sha256(to_json(corrections).encode()).hexdigest()
 
 
 def _obeyed_digest(folder: Path, stamp: Mapping[str, Any]) -> str:
-    """Return `Cloned.corrections_digest`; a file written by hand counts as the window would write it."""
+    """Return `Cloned.corrections_digest`; a file written by hand is normalised first."""
     made_with = str(stamp.get("beside", {}).get(CORRECTIONS_FILE, ""))
     path = folder / CORRECTIONS_FILE
     if made_with and path.is_file() and file_digest(path) == made_with:

@@ -1,4 +1,5 @@
-"""A worker process for long jobs: the window's thread never waits for the interpreter lock, and a job ends at once.
+"""A worker process for long jobs: the window's thread never waits for the interpreter lock, and a job can be killed at
+once.
 
 The caller's side blocks in `Worker.call`, on a thread of its own. Both sides speak tuples over a pipe: the caller sends
 (method, arguments), the worker answers ("progress", step, fraction), ("shown", value), ("log", level, logger, text) and
@@ -28,12 +29,12 @@ LISTEN_S: Final = 0.05
 _AGAIN: Final = "Try again; if it happens again, send the log file"
 
 
-def not_shown(value: object) -> None:
-    """Take what a job shows and do nothing."""
+def ignore(value: object) -> None:
+    """Ignore what a job shows."""
 
 
 class Worker:
-    """One process that does one job at a time; it starts with the first job and again after a cancelled one.
+    """A process that does one job at a time; it starts with the first job, and again after a cancelled one.
 
     Parameters
     ----------
@@ -48,7 +49,7 @@ class Worker:
         self._process: mp.process.BaseProcess | None = None
         self._pipe: Connection | None = None
 
-    def call(self, method: str, *arguments: object, progress: Progress, show: Show = not_shown) -> Any:
+    def call(self, method: str, *arguments: object, progress: Progress, show: Show = ignore) -> Any:
         """Do a job in the process and return its value.
 
         Parameters
@@ -85,12 +86,12 @@ class Worker:
             self._turn.release()
 
     def start(self) -> None:
-        """Start the process before it is needed: its first job then does not wait for imports."""
+        """Start the process before it is needed, so that its first job does not wait for imports."""
         with self._turn:
             self._connected()
 
     def stop(self) -> None:
-        """End the process, whatever it does."""
+        """Kill the process, whatever it does."""
         process, self._process = self._process, None
         if process is not None and process.pid is not None:  # one that could not be started has none
             process.kill()
@@ -130,7 +131,7 @@ class Worker:
 
 
 class _Teller(logging.Handler):
-    """Hands log records to the caller's process: one process writes the log file."""
+    """Forwards log records to the calling process, as only one process writes the log file."""
 
     def __init__(self, tell: Show) -> None:
         super().__init__()
@@ -141,7 +142,7 @@ class _Teller(logging.Handler):
 
 
 def _serve(pipe: Connection, make: str) -> None:
-    """Do jobs until the caller is gone; runs in the process."""
+    """Do jobs until the calling process is gone; runs in the worker process."""
     threading.Thread(target=end_with_parent, daemon=True).start()
     os.nice(5)  # the window comes first on a machine with two cores
     tell = _one_by_one(pipe.send)
@@ -157,7 +158,7 @@ def _serve(pipe: Connection, make: str) -> None:
 
 
 def _one_by_one(send: Show) -> Show:
-    """Return a way to send that threads may share: two long messages at once would be mixed."""
+    """Return a thread-safe send function: two long messages at once would be mixed."""
     turn = threading.Lock()
 
     def sent(message: object) -> None:

@@ -89,11 +89,11 @@ def _serve(
     lent: Annotated[bool, typer.Option("--lent", help="Other booths may lend their visitors' clones.")] = False,
 ) -> None:
     """Show a built scene in a browser of this machine; finished clones come into it. Ctrl+C ends it."""
-    from cloner.booth.inhabiting import finished_clones, number_asked
+    from cloner.booth.scene_access import finished_clones, pin_check
     from cloner.scenes.served.lending import lent_to
     from cloner.scenes.served.serving import serve_folder
 
-    opens, way = number_asked(clones), lent_to if lent else None
+    opens, way = pin_check(clones), lent_to if lent else None
     serve_folder(built, finished_clones(clones), opens, host=host, port=port, lent=way, said=at_once)
 
 
@@ -105,7 +105,7 @@ def _lend(
     clones: Annotated[Path, typer.Option("--clones", help="An event's folder, or a folder of results.")],
 ) -> None:
     """Lend this booth's clones to another booth's scene for as long as this runs. Ctrl+C ends it."""
-    from cloner.booth.inhabiting import finished_clones
+    from cloner.booth.scene_access import finished_clones
     from cloner.scenes.served.lending import lend_folder
 
     lend_folder(address, finished_clones(clones), at_once)

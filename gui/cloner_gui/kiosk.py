@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QInputDialog, QLineEdit, QWidget
 
-from cloner.booth.events.pin import Door
+from cloner.booth.events.pin import PinLock
 from cloner_gui.language.words import translate
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ class Kiosk(QObject):
     def __init__(self, window: MainWindow) -> None:
         super().__init__(window)
         self._window, self._booth = window, window.booth
-        self._door = Door()
+        self._door = PinLock()
         self.on = False
         window.booth.allowed = self.allows
         self._key = QShortcut(QKeySequence("Ctrl+Shift+K"), window)
@@ -54,13 +54,13 @@ class Kiosk(QObject):
         """Return whether something that is the operator's may be done: always outside the kiosk."""
         if not self.on:
             return True
-        if self._door.rests():
+        if self._door.is_locked():
             self._booth.told.emit(translate("kiosk", "Too many wrong numbers: wait half a minute."))
             return False
         number = ask_number(self._window)
         if not number:
             return False
-        fine = self._door.opens(number, self._booth.settings.pin)
+        fine = self._door.accepts(number, self._booth.settings.pin)
         if not fine:
             self._booth.told.emit(translate("kiosk", "This is not the number."))
         return fine

@@ -26,7 +26,7 @@ from cloner.booth.events.event import Event, read_event, write_event
 from cloner.booth.events.recent import recent_events
 from cloner.booth.phone.tickets import read_ticket
 from cloner.booth.photos.arrivals import read_note
-from cloner.booth.photos.looks import read_looks
+from cloner.booth.photos.check_cache import read_checks
 from cloner.booth.visitors.visits import read_visit
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.drafting.cut import cut
@@ -215,7 +215,7 @@ def _beside(name: str, content: bytes) -> Callable[[Path], Any]:
 def _looks(path: Path) -> Any:
     (path.parent / "work").mkdir(exist_ok=True)
     path.replace(path.parent / "work" / "looks.json")
-    return read_looks(path.parent)
+    return read_checks(path.parent)
 
 
 def crowd_bytes() -> bytes:

@@ -8,8 +8,8 @@ from PySide6.QtCore import Qt
 
 from cloner.booth.opened import read_cloned
 from cloner.booth.photos.photo_files import placed_photos
-from cloner.booth.visitors.kept import digests
-from cloner.booth.visitors.versions import keeping_before
+from cloner.booth.visitors.cached_work import photo_digests
+from cloner.booth.visitors.versions import keep_previous
 from cloner.booth.visitors.visits import State, read_visit
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
@@ -27,8 +27,8 @@ LEFT = Qt.MouseButton.LeftButton
 
 def clone_as_the_worker_does(folder, stature_m):
     """Leave a clone of that stature, the one before kept."""
-    result, photos = folder / "clones" / folder.name, digests(placed_photos(folder))
-    with keeping_before(folder, folder.name, photos):
+    result, photos = folder / "clones" / folder.name, photo_digests(placed_photos(folder))
+    with keep_previous(folder, folder.name, photos):
         result.mkdir(parents=True, exist_ok=True)
         (result / "clone.npz").unlink(missing_ok=True)  # the one before shares its bytes
         (result / "report.json").unlink(missing_ok=True)

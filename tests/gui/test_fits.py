@@ -45,7 +45,7 @@ TEXTS = ((100, False), (150, True), (200, False))
 def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F811
     """Everything that can be said at once: troubled photos, one without a place, a stale clone, a stick, a telephone's
     page, files on their way, somebody who failed and somebody in the trash."""
-    from cloner.booth.photos.looking_table import Trouble
+    from cloner.booth.photos.photo_problems import PhotoProblem
 
     monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
     monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
@@ -61,7 +61,7 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     event.booth.throw_away(thrown)
     qtbot.waitUntil(lambda: not thrown.exists() and event.booth.opening is None)
     folder = samples / "anna" / "plain"
-    jobs.looks[file_digest(folder / "body_side.jpg")] = (ViewId.BODY_FRONT, (Trouble.SMALL, Trouble.BLURRED))
+    jobs.looks[file_digest(folder / "body_side.jpg")] = (ViewId.BODY_FRONT, (PhotoProblem.SMALL, PhotoProblem.BLURRED))
     begin(event, qtbot)
     event.booth.save_person("Annemarie Sommerfeld-Müller", 171.0)
     event.go(1)

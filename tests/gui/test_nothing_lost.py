@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 
 from cloner.booth.events.event import open_event, read_event
 from cloner.booth.photos import arrivals
-from cloner.booth.photos.looking_table import Trouble
 from cloner.booth.photos.photo_files import new_photos
+from cloner.booth.photos.photo_problems import PhotoProblem
 from cloner.booth.visitors.person_file import person_facts
 from cloner.booth.visitors.visits import State, read_visit
 from cloner.errors import ClonerError
@@ -105,7 +105,7 @@ def test_exchanged_photos_do_not_stay_good(event, jobs, qtbot, samples):  # noqa
 def test_a_turned_photo_is_looked_at_anew(event, jobs, qtbot, samples):  # noqa: F811
     folder = photographed(event, qtbot, samples, SIDE)
     before = file_digest(view_files(folder)[SIDE])
-    jobs.default = (None, (Trouble.LYING,))
+    jobs.default = (None, (PhotoProblem.LYING,))
     event.photos.cards[SIDE].turn_wanted.emit(SIDE)
     settled(event, qtbot)
     assert file_digest(view_files(folder)[SIDE]) != before
@@ -243,11 +243,11 @@ def test_a_cameras_photos_of_the_moment_of_a_crash_are_still_taken(tmp_path):
     camera = tmp_path / "camera"
     camera.mkdir()
     (camera / "a.jpg").write_bytes(b"1")
-    arrivals.write_note(tmp_path, camera, arrivals.sizes(camera))
+    arrivals.write_note(tmp_path, camera, arrivals.photo_sizes(camera))
     (camera / "b.jpg").write_bytes(b"22")
     known = arrivals.read_note(tmp_path, camera)
-    now = arrivals.sizes(camera)
-    assert arrivals.arrived(known, now, now) == (camera / "b.jpg",)
+    now = arrivals.photo_sizes(camera)
+    assert arrivals.complete_photos(known, now, now) == (camera / "b.jpg",)
     assert arrivals.read_note(tmp_path, tmp_path / "other") is None
     arrivals.drop_note(tmp_path)
     assert arrivals.read_note(tmp_path, camera) is None

@@ -27,7 +27,7 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def served(event, qtbot, monkeypatch, samples):  # noqa: F811
     """A window that serves two visitors' pages on this computer alone, and their links."""
-    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.local_addresses", lambda: ("127.0.0.1",))
     monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
     monkeypatch.setattr(parcel, "SIZE_PX", (80, 120))
     monkeypatch.setattr(parcel, "LARGE_PX", (80, 120))
@@ -125,7 +125,7 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 import cloner_gui.event.phone
-cloner_gui.event.phone.own_addresses = lambda: ("127.0.0.1",)
+cloner_gui.event.phone.local_addresses = lambda: ("127.0.0.1",)
 cloner_gui.event.phone.PORT = 0
 from cloner_gui.main_window import MainWindow
 from cloner_gui.event.session import Session

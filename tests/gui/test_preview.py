@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from cloner.booth.growing import Shape, plain_clone
+from cloner.booth.body_preview import Shape, plain_clone
 from cloner.frames import ViewId
 from cloner.geometry.cameras.viewpoints import look_at
 from cloner.records.bodies import PosedView

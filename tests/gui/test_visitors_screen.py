@@ -9,11 +9,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from cloner.booth.events.trash import throw_away
-from cloner.booth.photos.looking_table import Look, Trouble
-from cloner.booth.photos.looks import keep_look
-from cloner.booth.strolling import FILE
+from cloner.booth.events.trash import move_to_trash
+from cloner.booth.photos.check_cache import store_check
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
 from cloner.booth.visitors.visits import read_visit, write_visit
+from cloner.booth.walk_pictures import FILE
 from cloner_gui.canvas.clones import attract
 from cloner_gui.event.day_label import _counted
 from cloner_gui.main_window import CLONE
@@ -95,7 +95,7 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     with_result(first, started="2026-11-22T10:00:00+00:00", queued="2026-11-22T10:00:00+00:00",
                 finished="2026-11-22T10:03:00+00:00")  # fmt: skip
     with_result(second, started="2026-11-22T11:00:00+00:00")
-    keep_look(second, Look("a", None, (Trouble.BLURRED,)))
+    store_check(second, PhotoCheck("a", None, (PhotoProblem.BLURRED,)))
     gallery = GalleryWindow(event.booth, event)
     gallery.show()
     qtbot.waitUntil(lambda: gallery.numbers_label.text() != "")
@@ -124,7 +124,7 @@ def test_who_is_thrown_away_while_the_day_is_counted_counts_once(event, qtbot): 
     with_result(first)
     with_result(second)
     listed = {folder: read_visit(folder) for folder in (first, second)}
-    throw_away(second, datetime.now(UTC))
+    move_to_trash(second, datetime.now(UTC))
     (found,) = _counted(listed, first.parent)
     assert (found.visitors, found.trashed) == (2, 1)
 
@@ -132,7 +132,7 @@ def test_who_is_thrown_away_while_the_day_is_counted_counts_once(event, qtbot): 
 @pytest.fixture
 def day(event, stage, qtbot, monkeypatch):  # noqa: F811
     """Three visitors with clones, of whom two agreed to be seen; their walks are drawn as soon as they may be."""
-    monkeypatch.setattr("cloner.booth.strolling.SIZE_PX", (24, 40))
+    monkeypatch.setattr("cloner.booth.walk_pictures.SIZE_PX", (24, 40))
     folders = [begin(event, qtbot) for _ in range(3)]
     for folder, shown in zip(folders, (True, True, False), strict=True):
         with_result(folder, shown=shown)

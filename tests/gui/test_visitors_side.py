@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
 from cloner.booth.events import trash
-from cloner.booth.events.pin import Door, kept_pin
+from cloner.booth.events.pin import PinLock, hash_pin
 from cloner.booth.phone import parcel
 from cloner.booth.visitors.visits import State, Visit, read_visit, write_visit
 from cloner.evaluate.truths.baselines import generic_clone
@@ -183,7 +183,7 @@ def test_the_gallery_finds_throws_away_and_brings_back(event, qtbot):  # noqa: F
     gallery.list.item(0).setSelected(True)
     qtbot.mouseClick(gallery.back_button, LEFT)
     qtbot.waitUntil(lambda: anna.exists() and gallery.list.count() == 0)
-    assert trash.thrown_away(event.booth.root) == ()
+    assert trash.trashed_visitors(event.booth.root) == ()
     gallery.which.setCurrentIndex(0)
     gallery.list.item(1).setSelected(True)
     assert not read_visit(boris).queued
@@ -232,7 +232,7 @@ def test_a_kiosk_hides_the_others_and_asks_for_the_number(event, qtbot, monkeypa
     event.kiosk.toggle()
     assert not event.kiosk.on, "without a number nobody could get out"
     assert "number" in event.notice.text.text()
-    event.booth.change(pin=kept_pin("2468"))
+    event.booth.change(pin=hash_pin("2468"))
     assert "2468" not in (event.booth.root / "event.json").read_text()
     event.kiosk.toggle()
     assert event.isFullScreen()
@@ -252,12 +252,12 @@ def test_a_kiosk_hides_the_others_and_asks_for_the_number(event, qtbot, monkeypa
 
 def test_after_five_wrong_numbers_the_right_one_has_to_wait():
     clock = [0.0]
-    door, kept = Door(lambda: clock[0]), kept_pin("2468")
-    assert kept != kept_pin("2468"), "salted"
-    assert [door.opens("1", kept) for _ in range(5)] == [False] * 5
-    assert not door.opens("2468", kept)
+    door, kept = PinLock(lambda: clock[0]), hash_pin("2468")
+    assert kept != hash_pin("2468"), "salted"
+    assert [door.accepts("1", kept) for _ in range(5)] == [False] * 5
+    assert not door.accepts("2468", kept)
     clock[0] = 31.0
-    assert door.opens("2468", kept)
+    assert door.accepts("2468", kept)
 
 
 def test_who_hears_that_the_clone_is_ready_can_take_it_away_at_once(event, qtbot, samples):  # noqa: F811

@@ -14,8 +14,8 @@ from PIL import Image
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 
-from cloner.booth.photos.looking_table import Look, Trouble
-from cloner.booth.photos.looks import keep_look
+from cloner.booth.photos.check_cache import store_check
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
 from cloner.booth.visitors.visits import State, Visit, write_visit
 from cloner.frames import ViewId
 from cloner_gui.main_window import CLONE, PHOTOS, POINTS, TAKEAWAY, VISITOR, MainWindow
@@ -50,7 +50,9 @@ def crowd(root: Path, visitors: int) -> None:
         write_visit(
             folder, Visit("takeaway", state=state, started=at, queued=at, finished=at, shown=True, trashed=gone)
         )
-        keep_look(folder, Look(f"{number}", ViewId.BODY_FRONT, (Trouble.BLURRED,) if number % 5 == 0 else ()))
+        store_check(
+            folder, PhotoCheck(f"{number}", ViewId.BODY_FRONT, (PhotoProblem.BLURRED,) if number % 5 == 0 else ())
+        )
     (root / "event.json").write_text(json.dumps({"format": 2, "title": "Fair"}))
 
 

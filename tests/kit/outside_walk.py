@@ -26,7 +26,7 @@ def say(what: str, visitor: str = "", value: object = None) -> None:
 def services():
     """Return the walker's stand-ins, with the real handing over, slowed as a stick is."""
     from cloner.booth.handover.handing import hand_over
-    from cloner.booth.photos.looking_table import Look
+    from cloner.booth.photos.photo_problems import PhotoCheck
     from cloner.frames import ViewId
     from cloner.project.folder import view_files
     from kit import walker
@@ -35,7 +35,7 @@ def services():
         """Say that a photo shows the first view that has none yet."""
         free = [view for view in walker.VIEWS if ViewId(view) not in view_files(path.parents[1])]
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
-        return Look(digest, wanted or (ViewId(free[0]) if free else None), ())
+        return PhotoCheck(digest, wanted or (ViewId(free[0]) if free else None), ())
 
     def slow(result, target, formats, progress):
         def tell(step, fraction):

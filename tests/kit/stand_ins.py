@@ -7,10 +7,10 @@ import numpy as np
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 
-from cloner.booth.growing import Shape
+from cloner.booth.body_preview import Shape
 from cloner.booth.opened import Cloned
-from cloner.booth.photos.looking_table import Look
-from cloner.booth.photos.photo_files import decoded
+from cloner.booth.photos.photo_files import decode_photo
+from cloner.booth.photos.photo_problems import PhotoCheck
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -39,9 +39,9 @@ class Jobs:
     def look(self, path, wanted, progress):
         while self.hold_looks is not None and not self.hold_looks.wait(0.01):
             progress("look", 0.0)
-        photo = decoded(path, wanted or ViewId.BODY_FRONT)
+        photo = decode_photo(path, wanted or ViewId.BODY_FRONT)
         view, troubles = self.looks.get(photo.digest, self.default or (wanted, ()))
-        return Look(photo.digest, view, troubles)
+        return PhotoCheck(photo.digest, view, troubles)
 
     def propose(self, folder, photos, progress):
         progress("proposals", 0.5)

@@ -21,8 +21,8 @@ VIEWS = ("body_front", "body_side", "face_front")
 def services():
     """Return fast stand-ins that write what the real jobs write."""
     from cloner.booth.opened import read_cloned
-    from cloner.booth.photos.looking_table import Look
-    from cloner.booth.photos.photo_files import meant_view
+    from cloner.booth.photos.photo_files import view_of_name
+    from cloner.booth.photos.photo_problems import PhotoCheck
     from cloner.evaluate.truths.baselines import generic_clone
     from cloner.frames import ViewId
     from cloner.generic.load import load_generic
@@ -37,7 +37,7 @@ def services():
 
     def look(path, wanted, progress):
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
-        return Look(digest, wanted or meant_view(path.name), ())
+        return PhotoCheck(digest, wanted or view_of_name(path.name), ())
 
     def propose(folder, photos, progress):
         where = np.array([[30.0, 40.0], [50.0, 60.0]])

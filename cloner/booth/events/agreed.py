@@ -15,8 +15,8 @@ def offered_licences(event: Event) -> tuple[str, ...]:
     return LICENCES[: LICENCES.index(event.licence) + 1]
 
 
-def usual_licence(event: Event, language: str) -> str:
-    """Return the default licence: the event's, where its own text was read.
+def default_licence(event: Event, language: str) -> str:
+    """Return the licence selected by default: the one of the event's own terms if it has any.
 
     The window's own text says nothing of the kind, so that who reads it and chooses nothing keeps everything.
 
@@ -30,7 +30,7 @@ def usual_licence(event: Event, language: str) -> str:
 
 
 def agreed_terms(event: Event, folder: Path, language: str, chosen: str = "") -> dict[str, str]:
-    """Return the terms of a consent given now in a language.
+    """Return the terms of a consent that is given now, in a language.
 
     Parameters
     ----------
@@ -41,5 +41,5 @@ def agreed_terms(event: Event, folder: Path, language: str, chosen: str = "") ->
     chosen : str
         The licence that the visitor chose; "", or one that the event does not ask for, takes the usual one.
     """
-    licence = chosen if chosen in offered_licences(event) else usual_licence(event, language)
+    licence = chosen if chosen in offered_licences(event) else default_licence(event, language)
     return {"event": event.title or folder.name, "licence": licence}

@@ -12,7 +12,7 @@ from pathlib import Path
 from statistics import median
 from typing import Final
 
-from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
 from cloner.booth.visitors.visits import State, Visit
 
 COLUMNS: Final = ("day", "what", "reason", "number")
@@ -20,7 +20,7 @@ COLUMNS: Final = ("day", "what", "reason", "number")
 
 @dataclass(frozen=True, slots=True)
 class Day:
-    """One day's numbers.
+    """Statistics of one day.
 
     Attributes
     ----------
@@ -41,22 +41,24 @@ class Day:
     clones: int
     trashed: int
     waited_min: tuple[float, ...]
-    photos: Mapping[Trouble, int]
+    photos: Mapping[PhotoProblem, int]
     failures: Mapping[str, int]
 
     @property
     def median_min(self) -> float:
-        """Minutes that people wait in the middle; 0 where nobody did."""
+        """Median waiting time, minutes; 0 where nobody waited."""
         return median(self.waited_min) if self.waited_min else 0.0
 
     @property
     def longest_min(self) -> float:
-        """Minutes that somebody waited at most."""
+        """Longest waiting time, minutes; 0 where nobody waited."""
         return max(self.waited_min, default=0.0)
 
 
-def days(visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, Look]]) -> tuple[Day, ...]:
-    """Return the numbers of every day, the last day first.
+def statistics_by_day(
+    visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, PhotoCheck]]
+) -> tuple[Day, ...]:
+    """Return the statistics of every day, the latest day first.
 
     Parameters
     ----------
@@ -73,7 +75,7 @@ def days(visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, Look
     )
 
 
-def _day(date: str, visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, Look]]) -> Day:
+def _day(date: str, visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, PhotoCheck]]) -> Day:
     photos = Counter(trouble for folder in visits for look in looks(folder).values() for trouble in look.troubles)
     failures = Counter(_reason(visit.problem) for visit in visits.values() if visit.state is State.FAILED)
     waited = [_minutes(visit.queued, visit.finished) for visit in visits.values()]
@@ -90,7 +92,7 @@ def _day(date: str, visits: Mapping[Path, Visit], looks: Callable[[Path], Mappin
 
 
 def _date(started: str) -> str:
-    """Return the day of a time, by this computer's clock."""
+    """Return the local date of a time."""
     try:
         return f"{datetime.fromisoformat(started).astimezone():%Y-%m-%d}"
     except ValueError:
@@ -98,7 +100,7 @@ def _date(started: str) -> str:
 
 
 def _minutes(begin: str, end: str) -> float | None:
-    """Return the minutes between two times; None where one is not known, or they are in the wrong order."""
+    """Return the minutes between two times; None where one is unknown or they are in the wrong order."""
     try:
         spent = (datetime.fromisoformat(end) - datetime.fromisoformat(begin)).total_seconds() / 60.0
     except (ValueError, TypeError):
@@ -107,13 +109,13 @@ def _minutes(begin: str, end: str) -> float | None:
 
 
 def _reason(problem: str) -> str:
-    """Return why a clone failed without where: ``visitor-003: message. hint`` gives the message."""
+    """Return a clone's error message without the visitor's name: ``visitor-003: message. hint`` gives the message."""
     where, colon, rest = problem.partition(": ")
     return (rest if colon else where).partition(". ")[0]
 
 
 def days_csv(told: tuple[Day, ...]) -> str:
-    """Return the days as CSV, a row a number."""
+    """Return the days' statistics as CSV, one row per number."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(COLUMNS)

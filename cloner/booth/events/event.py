@@ -1,4 +1,4 @@
-"""The event's folder: its settings, and who is in it."""
+"""An event's folder: its settings and its visitors."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.booth.visitors.mending import mended
+from cloner.booth.visitors.repair import repair_file
 from cloner.booth.visitors.visits import VISIT_FILE, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
@@ -46,7 +46,7 @@ _HINT: Final = f"Correct {EVENT_FILE}, or move it away to start with the usual s
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """What holds for all visitors of an event.
+    """Settings that hold for all visitors of an event.
 
     Attributes
     ----------
@@ -122,7 +122,7 @@ _USUAL: Final = asdict(Event())
 
 
 def read_event(folder: Path) -> Event:
-    """Return the event's settings; the usual ones where nothing was set.
+    """Return the event's settings; defaults where nothing was set.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def read_event(folder: Path) -> Event:
     if not isinstance(told, dict) or "format" not in told:
         raise ClonerError(f'it must be an object with "format": {FORMAT}', _HINT, EVENT_FILE)
     if check_format(told.pop("format"), FORMAT, EVENT_FILE) == 1:
-        told = _of_today(told)
+        told = _upgraded(told)
     for key, value in told.items():
         if key not in _USUAL:
             raise ClonerError(f"the key {key!r} is not known", _HINT, EVENT_FILE)
@@ -151,7 +151,7 @@ def read_event(folder: Path) -> Event:
 
 
 def open_event(folder: Path) -> tuple[Event, str]:
-    """Return the event's settings, and a message where they were damaged and had to be repaired; "" otherwise.
+    """Return the event's settings, and a message if they were damaged and had to be repaired, else "".
 
     Raises
     ------
@@ -159,12 +159,12 @@ def open_event(folder: Path) -> tuple[Event, str]:
         If they are of a newer version, or the folder cannot be written.
     """
     path = folder / EVENT_FILE
-    told = mended(path, lambda: read_event(folder), event_left, lambda left: write_event(folder, left))
+    told = repair_file(path, lambda: read_event(folder), salvage_event, lambda left: write_event(folder, left))
     return read_event(folder), told
 
 
-def event_left(text: str) -> Event:
-    """Return the settings that can still be read in a damaged text; the usual ones for the rest."""
+def salvage_event(text: str) -> Event:
+    """Return the settings that can still be read in a damaged file's text; defaults for the rest."""
     found: dict[str, Any] = {}
     for key in (*_USUAL, _OLD_CONSENT):
         place = re.search(rf'"{key}"\s*:\s*', text)
@@ -173,12 +173,12 @@ def event_left(text: str) -> Event:
                 found[key] = json.JSONDecoder().raw_decode(text, place.end())[0]
     if not isinstance(found.get(_OLD_CONSENT, ""), str):
         found.pop(_OLD_CONSENT)
-    kept = _of_today(found)
+    kept = _upgraded(found)
     return _event({key: one for key, one in kept.items() if _has_kind(key, one) and _is_in_range(key, one)})
 
 
-def _of_today(told: Mapping[str, Any]) -> dict[str, Any]:
-    """Return settings of format 1, which had one consent for all languages, as those of today."""
+def _upgraded(told: Mapping[str, Any]) -> dict[str, Any]:
+    """Return settings of format 1, which had one consent for all languages, in the current format."""
     left = {key: value for key, value in told.items() if key != _OLD_CONSENT}
     if told.get(_OLD_CONSENT):
         left["consents"] = {str(told.get("language", Event().language)): told[_OLD_CONSENT]}
@@ -219,12 +219,12 @@ def write_event(folder: Path, event: Event) -> None:
 
 
 def is_visitor(folder: Path) -> bool:
-    """Return whether a folder is one visitor's."""
+    """Return whether a folder belongs to one visitor."""
     return os.path.isfile(os.path.join(folder, VISIT_FILE)) or holds_photos(folder)
 
 
 def check_event_folder(folder: Path) -> None:
-    """Refuse folders that are neither an event nor empty: visitors are not strewn among strangers' files.
+    """Refuse folders that are neither an event nor empty, so that visitors are never mixed with other files.
 
     Raises
     ------
@@ -244,7 +244,7 @@ def check_event_folder(folder: Path) -> None:
 
 
 def check_can_write(folder: Path) -> None:
-    """Tell of a folder that cannot be written when it is opened, not at the first photo.
+    """Refuse a folder that cannot be written when it is opened rather than at the first photo.
 
     Raises
     ------
@@ -259,14 +259,14 @@ def check_can_write(folder: Path) -> None:
 
 
 def visitor_folders(root: Path) -> tuple[Path, ...]:
-    """Return the folders of an event's visitors, by name."""
+    """Return the folders of an event's visitors, sorted by name."""
     with os.scandir(root) as inside:
         names = sorted(one.name for one in inside if one.is_dir() and not one.name.startswith("."))
     return tuple(path for path in (root / name for name in names) if is_visitor(path))
 
 
 def new_visitor(root: Path, now: str) -> Path:
-    """Make the folder of the next visitor, called by a number: names stay inside.
+    """Create the next visitor's folder; it is called by a number, so that names appear only in files.
 
     Parameters
     ----------
@@ -291,5 +291,5 @@ def new_visitor(root: Path, now: str) -> Path:
 
 
 def visits(root: Path, read: Callable[[Path], Visit] = read_visit) -> dict[Path, Visit]:
-    """Return the progress of every visitor of an event, by folder; ``read`` reads one visit."""
+    """Return the progress of every visitor of an event by folder; ``read`` reads one visitor's."""
     return {folder: read(folder) for folder in visitor_folders(root)}

@@ -15,7 +15,7 @@ TRIES: Final = 5
 REST_S: Final = 30.0
 
 
-def kept_pin(number: str) -> str:
+def hash_pin(number: str) -> str:
     """Return salt and digest of a PIN; "" for none."""
     if not number:
         return ""
@@ -23,8 +23,8 @@ def kept_pin(number: str) -> str:
     return f"{salt}${_digest(number, salt)}"
 
 
-def is_pin(number: str, kept: str) -> bool:
-    """Return whether a number is the one that was kept."""
+def matches_pin(number: str, kept: str) -> bool:
+    """Return whether a number is the PIN that was hashed."""
     salt, dollar, digest = kept.partition("$")
     return bool(dollar) and hmac.compare_digest(_digest(number, salt), digest)
 
@@ -33,8 +33,8 @@ def _digest(number: str, salt: str) -> str:
     return hashlib.pbkdf2_hmac("sha256", number.encode(), salt.encode(), _ROUNDS).hex()
 
 
-class Door:
-    """Lets in who knows the number; after `TRIES` wrong ones nobody for `REST_S` seconds.
+class PinLock:
+    """Accepts the right PIN; after `TRIES` wrong ones it accepts none for `REST_S` seconds.
 
     Parameters
     ----------
@@ -45,15 +45,15 @@ class Door:
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock, self._wrong, self._since = clock, 0, 0.0
 
-    def rests(self) -> bool:
-        """Return whether no number is looked at just now."""
+    def is_locked(self) -> bool:
+        """Return whether all PINs are refused just now."""
         return self._wrong >= TRIES and self._clock() - self._since < REST_S
 
-    def opens(self, number: str, kept: str) -> bool:
-        """Return whether a number is right."""
-        if self.rests():
+    def accepts(self, number: str, kept: str) -> bool:
+        """Return whether a PIN is right."""
+        if self.is_locked():
             return False
-        if is_pin(number, kept):
+        if matches_pin(number, kept):
             self._wrong = 0
             return True
         self._wrong, self._since = (self._wrong if self._wrong < TRIES else 0) + 1, self._clock()

@@ -18,7 +18,7 @@ MOST: Final = 5  # taste: a booth has one event a day
 
 
 def recent_events(file: Path) -> tuple[Path, ...]:
-    """Return the events that were open last and are still there, the newest first; none where the file is damaged."""
+    """Return the recently opened events that still exist, the latest first; none if the file is damaged."""
     try:
         told = json.loads(read_untrusted(file, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError):
@@ -28,7 +28,7 @@ def recent_events(file: Path) -> tuple[Path, ...]:
 
 
 def note_recent(file: Path, folder: Path) -> None:
-    """Note that an event was opened now; where nothing can be noted it is opened by hand the next time."""
+    """Record that an event was opened now; a list that cannot be written is no error."""
     known = [one for one in recent_events(file) if one != folder]
     kept = [str(one) for one in (folder.absolute(), *known)][:MOST]
     with contextlib.suppress(ClonerError, OSError):

@@ -1,6 +1,6 @@
-"""Deleted visitors: kept in the event's trash for some days, then removed for good.
+"""Deleted visitors: kept in the event's trash for some days, then removed permanently.
 
-Who wants everything deleted is not put here but forgotten at once (`cloner.booth.events.keeping`). What lies here is
+Who wants everything deleted is not put here but forgotten at once (`cloner.booth.events.retention`). What lies here is
 still held, and is listed as such.
 """
 
@@ -12,15 +12,15 @@ from pathlib import Path
 
 from cloner.booth.events.event import TRASH, visitor_folders
 from cloner.booth.handover.takeaway import has_result
-from cloner.booth.visitors.kept import RESULTS
-from cloner.booth.visitors.line import withdrawn
+from cloner.booth.visitors.cached_work import RESULTS
 from cloner.booth.visitors.visits import State, read_visit, write_visit
+from cloner.booth.visitors.waiting_line import without_request
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
 
 
-def throw_away(folder: Path, now: datetime) -> Path:
-    """Put a visitor into the trash of its event and return where it lies.
+def move_to_trash(folder: Path, now: datetime) -> Path:
+    """Move a visitor to the trash of its event and return the new folder.
 
     Raises
     ------
@@ -33,15 +33,15 @@ def throw_away(folder: Path, now: datetime) -> Path:
         when = now.isoformat(timespec="seconds")
         visit = read_visit(folder)
         if visit.state is State.WAITING:
-            visit = withdrawn(visit, has_result(folder / RESULTS / safe_identifier(folder.name)))
+            visit = without_request(visit, has_result(folder / RESULTS / safe_identifier(folder.name)))
         write_visit(folder, replace(visit, trashed=when, shown=False, inhabits=False))
         return folder.rename(to)
     except OSError as error:
         raise ClonerError("the visitor cannot be moved", "Check permissions and space", folder.name) from error
 
 
-def bring_back(folder: Path) -> Path:
-    """Take a visitor out of the trash and return where it lies.
+def restore(folder: Path) -> Path:
+    """Move a visitor out of the trash and return the new folder.
 
     Raises
     ------
@@ -59,14 +59,14 @@ def bring_back(folder: Path) -> Path:
     return back
 
 
-def thrown_away(root: Path) -> tuple[Path, ...]:
-    """Return who lies in an event's trash."""
+def trashed_visitors(root: Path) -> tuple[Path, ...]:
+    """Return the folders in an event's trash."""
     place = root / TRASH
     return visitor_folders(place) if place.is_dir() else ()
 
 
-def ends(folder: Path, days: int) -> datetime | None:
-    """Return when a visitor of the trash goes for good, UTC; None who went meanwhile.
+def deletion_time(folder: Path, days: int) -> datetime | None:
+    """Return when a visitor in the trash is deleted permanently, UTC; None if the folder is gone.
 
     It is counted from the folder's time where nothing says when.
     """
@@ -80,7 +80,7 @@ def ends(folder: Path, days: int) -> datetime | None:
     return (came if came.tzinfo is not None else came.replace(tzinfo=UTC)) + timedelta(days=days)
 
 
-def over(root: Path, days: int, now: datetime) -> tuple[Path, ...]:
-    """Return who has been in the trash for so long that it goes for good."""
-    ended = ((folder, ends(folder, days)) for folder in thrown_away(root))
+def expired(root: Path, days: int, now: datetime) -> tuple[Path, ...]:
+    """Return the visitors who have been in the trash for long enough to be deleted permanently."""
+    ended = ((folder, deletion_time(folder, days)) for folder in trashed_visitors(root))
     return tuple(folder for folder, end in ended if end is not None and now >= end)

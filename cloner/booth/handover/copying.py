@@ -17,8 +17,8 @@ from cloner.project.atomic import atomic_path, remove
 _CHUNK: Final = 1 << 20
 
 
-def copied(source: Path, target: Path, progress: Progress) -> Path:
-    """Copy a file or a folder, read it back, and give it its name then; whole and right, or not there at all.
+def copy_verified(source: Path, target: Path, progress: Progress) -> Path:
+    """Copy a file or a folder and read it back before it gets its name: it is complete and correct, or absent.
 
     Parameters
     ----------
@@ -34,11 +34,11 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
     OSError
         If it cannot be written.
     """
-    remove_rests(target)
+    remove_leftovers(target)
     with atomic_path(target) as room:
         files = [source] if source.is_file() else sorted(path for path in source.rglob("*") if path.is_file())
         pairs = [(path, room / path.relative_to(source)) for path in files]
-        told = _Told(progress, 2 * sum(path.stat().st_size for path in files))
+        told = _ByteProgress(progress, 2 * sum(path.stat().st_size for path in files))
         digests = [_copy(one, other, told.on("copy")) for one, other in pairs]
         for (_, other), digest in zip(pairs, digests, strict=True):
             if _read_back(other, told.on("verify")) != digest:
@@ -48,20 +48,20 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
     return target
 
 
-def remove_rests(target: Path) -> None:
-    """Remove what a killed run left of a copy that was to be called ``target``."""
+def remove_leftovers(target: Path) -> None:
+    """Remove what a killed process left of a copy to ``target``."""
     for rest in target.parent.glob(f".{glob.escape(target.name)}.partial-*"):
         remove(rest)
 
 
-class _Told:
-    """Tells how many of all bytes are done."""
+class _ByteProgress:
+    """Reports how many of all bytes are done."""
 
     def __init__(self, progress: Progress, whole: int) -> None:
         self._progress, self._whole, self._done = progress, max(whole, 1), 0
 
     def on(self, step: str) -> Callable[[int], None]:
-        """Return what a step tells its bytes."""
+        """Return a function that reports the bytes done of a step."""
 
         def tell(count: int) -> None:
             self._done += count
@@ -71,7 +71,7 @@ class _Told:
 
 
 def _copy(source: Path, target: Path, tell: Callable[[int], None]) -> str:
-    """Copy a file on to the disk itself, not into memory only, and return the sha256 of what was read."""
+    """Copy a file through to the disk and return the sha256 of what was read."""
     target.parent.mkdir(parents=True, exist_ok=True)
     seen = hashlib.sha256()
     with source.open("rb") as read, target.open("wb") as written:
@@ -85,7 +85,7 @@ def _copy(source: Path, target: Path, tell: Callable[[int], None]) -> str:
 
 
 def _read_back(path: Path, tell: Callable[[int], None]) -> str:
-    """Return the sha256 of a file as the disk gives it: what the memory still knows of it is dropped first."""
+    """Return the sha256 of a file as the disk returns it: the page cache is dropped first."""
     seen = hashlib.sha256()
     with path.open("rb", buffering=0) as read:
         if hasattr(os, "posix_fadvise"):
@@ -102,7 +102,7 @@ def _chunks(read: Callable[[int], bytes]) -> Iterator[bytes]:
 
 
 def _write_through(folder: Path) -> None:
-    """Have the names in a folder written too; file systems that cannot are no reason to fail."""
+    """Sync a folder's entries to the disk; file systems without that are no error."""
     try:
         held = os.open(folder, os.O_RDONLY)
     except OSError:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from cloner.booth.handover.copying import copied, remove_rests
+from cloner.booth.handover.copying import copy_verified, remove_leftovers
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS, check_formats
 from cloner.pipeline import Progress
@@ -24,7 +24,7 @@ _MADE: Final = 0.5
 
 
 def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
-    """Write a visitor's files to a new folder, or a new zip file where ``target`` ends so; whole or not at all.
+    """Write a visitor's files to a new folder, or to a zip file if ``target`` ends so; completely or not at all.
 
     They are made beside the clone first, then copied and read back (`cloner.booth.handover.copying`).
 
@@ -50,7 +50,7 @@ def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Prog
     clone = load_clone(result / CLONE_FILE)
     room = result.parent / f"{_ROOM}{os.getpid()}"
     try:
-        _remove_rooms(result)
+        _remove_temporary_files(result)
         inside = room / target.stem
         inside.mkdir(parents=True)
         for number, name in enumerate(formats):
@@ -59,7 +59,7 @@ def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Prog
         progress("report", _MADE * len(formats) / (1 + len(formats)))
         _copy_beside(result, inside)
         whole = _packed(inside) if target.suffix.lower() == ".zip" else inside
-        copied(whole, target, lambda step, done: progress(step, _MADE + (1.0 - _MADE) * done))
+        copy_verified(whole, target, lambda step, done: progress(step, _MADE + (1.0 - _MADE) * done))
     except OSError as error:
         raise ClonerError("it cannot be written there", "Is the stick full or write-protected?", target.name) from error
     finally:
@@ -68,13 +68,13 @@ def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Prog
 
 
 def clean_up(result: Path, target: Path) -> None:
-    """Remove what a run left that was stopped in the middle, beside the clone and where it was to go."""
-    _remove_rooms(result)
-    remove_rests(target)
+    """Remove what an interrupted process left beside the clone and the target."""
+    _remove_temporary_files(result)
+    remove_leftovers(target)
 
 
-def _remove_rooms(result: Path) -> None:
-    """Remove the files that killed runs made."""
+def _remove_temporary_files(result: Path) -> None:
+    """Remove the temporary files of killed processes."""
     for rest in result.parent.glob(f"{_ROOM}*"):
         shutil.rmtree(rest, ignore_errors=True)
 
@@ -89,7 +89,7 @@ def _copy_beside(result: Path, inside: Path) -> None:
 
 
 def _packed(inside: Path) -> Path:
-    """Return a zip file of the finished folder, beside it."""
+    """Return a zip file of a finished folder, beside it."""
     packed = inside.with_suffix(".packed")
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted(inside.rglob("*")):

@@ -23,7 +23,7 @@ _EJECT_S: Final = 120.0
 
 @dataclass(frozen=True, slots=True)
 class Stick:
-    """A place on a drive that can be pulled out.
+    """A mounted folder of a removable drive.
 
     Attributes
     ----------
@@ -45,8 +45,8 @@ class Stick:
     read_only: bool
 
 
-def plugged_in() -> tuple[Stick, ...]:
-    """Return the sticks and cards whose files are seen just now.
+def mounted_sticks() -> tuple[Stick, ...]:
+    """Return the mounted sticks and memory cards.
 
     Raises
     ------
@@ -60,13 +60,13 @@ def plugged_in() -> tuple[Stick, ...]:
     command = [program, "--json", "--bytes", "--output", _COLUMNS]
     try:
         told = subprocess.run(command, capture_output=True, text=True, timeout=_LIST_S, check=True).stdout
-        return sticks_of(told)
+        return parse_lsblk(told)
     except (OSError, subprocess.SubprocessError, ValueError) as error:
         raise ClonerError("this system does not tell which sticks are plugged in", hint, "Stick") from error
 
 
-def sticks_of(told: str) -> tuple[Stick, ...]:
-    """Return the sticks in what ``lsblk --json`` tells.
+def parse_lsblk(told: str) -> tuple[Stick, ...]:
+    """Return the sticks in the output of ``lsblk --json``.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def _mounted(part: Mapping[str, Any], drive: Mapping[str, Any]) -> Iterator[Stic
 
 
 def _parts(drive: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
-    """Yield a drive and all that is on it."""
+    """Yield a drive and its partitions."""
     yield drive
     for child in drive.get("children") or ():
         yield from _parts(child)
@@ -112,7 +112,7 @@ def _mounts(part: Mapping[str, Any]) -> list[str]:
 
 
 def eject(stick: Stick) -> None:
-    """Let a stick go, so that it can be pulled out.
+    """Unmount a stick and power it off, so that it can be unplugged.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def eject(stick: Stick) -> None:
 
 
 def _run(command: Sequence[str], stick: Stick, *, must: bool = True) -> None:
-    """Run one of the system's programs; without ``must`` its failure is none: an unmounted stick may be pulled out."""
+    """Run a system program; without ``must`` its failure is ignored, as an unmounted stick may be unplugged."""
     try:
         done = subprocess.run(command, capture_output=True, timeout=_EJECT_S, check=False).returncode == 0
     except (OSError, subprocess.SubprocessError):

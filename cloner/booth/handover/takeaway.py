@@ -9,7 +9,7 @@ import numpy as np
 import segno
 from numpy.typing import NDArray
 
-from cloner.booth.visitors.kept import CLONE_FILE
+from cloner.booth.visitors.cached_work import CLONE_FILE
 from cloner.errors import ClonerError
 from cloner.project.results import RESULT_MARK
 
@@ -19,17 +19,17 @@ QUIET_MODULES: Final = 4  # ISO/IEC 18004 wants this white border
 
 
 def free_name(folder: Path, name: str, suffix: str = "") -> Path:
-    """Return a path in a folder that is not taken: name, name-2, name-3 and so on."""
+    """Return an unused path in a folder: name, name-2, name-3 and so on."""
     tries = (folder / f"{name}{'' if number == 1 else f'-{number}'}{suffix}" for number in range(1, 10_000))
     return next(path for path in tries if not path.exists())
 
 
 def link_text(template: str, identifier: str) -> str:
-    """Return the event's link for a visitor: an address that a telephone can open, "" where there is none."""
+    """Return the event's link for a visitor: an address that a phone can open, or ""."""
     return template.replace("{id}", identifier) if template else ""
 
 
-def code_modules(text: str) -> NDArray[np.bool_]:
+def qr_modules(text: str) -> NDArray[np.bool_]:
     """Return the (N, N) dark modules of a QR code with its white border.
 
     Raises

@@ -16,8 +16,8 @@ KEY_FILE: Final = ".phone-key.pem"
 DAYS: Final = 30  # taste: longer than any event
 
 
-def own_certificate(root: Path, address: str) -> tuple[Path, Path]:
-    """Return certificate and key for an address, made anew each time: 0600, in the event's folder.
+def make_certificate(root: Path, address: str) -> tuple[Path, Path]:
+    """Create a certificate and key for an address (mode 0600, in the event's folder).
 
     Raises
     ------

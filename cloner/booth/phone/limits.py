@@ -16,8 +16,8 @@ WRONG_EACH_SECOND: Final = 0.05
 REMEMBERED: Final = 5000  # addresses; the one that was quiet longest is forgotten first
 
 
-class Budget:
-    """A bucket for every address that drips full again.
+class RateLimit:
+    """A token bucket for each address.
 
     Parameters
     ----------
@@ -33,12 +33,12 @@ class Budget:
         self._turn = threading.Lock()
 
     def left(self, address: str) -> float:
-        """Return the remaining budget of an address."""
+        """Return the tokens left for an address."""
         with self._turn:
             return self._now(address)[0]
 
     def spend(self, address: str) -> bool:
-        """Take one from an address; False where nothing is left."""
+        """Take one token of an address; return False if there is none."""
         with self._turn:
             left, now = self._now(address)
             self._left[address] = (left - 1.0 if left >= 1.0 else left, now)

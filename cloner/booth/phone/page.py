@@ -38,7 +38,7 @@ show(at+1)}});
 
 
 def page(language: str, until: str) -> bytes:
-    """Return the HTML page of a visitor; it names nobody.
+    """Return the HTML page of a visitor; it contains no name.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def page(language: str, until: str) -> bytes:
 
 
 def policy() -> str:
-    """Return the page's content security policy: its own pictures, its one script and style, nothing else."""
+    """Return the page's content security policy: its own pictures, one script and one style, nothing else."""
     script, style = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in (_script(), _STYLE))
     return (
         f"default-src 'none'; img-src 'self'; script-src 'sha256-{script}'; style-src 'sha256-{style}'; "

@@ -34,7 +34,7 @@ FILES: Final = {
 
 
 def pack(visitor: Path, result: Path, progress: Progress) -> Path:
-    """Make the files for a visitor's telephone in the visitor's folder, and return the folder they lie in.
+    """Make the files for a visitor's phone, and return their folder.
 
     Parameters
     ----------
@@ -91,12 +91,12 @@ def _fill(room: Path, clone: Clone, result: Path, progress: Progress) -> None:
 
 
 def is_packed(visitor: Path, result: Path) -> bool:
-    """Return whether the parcel is there and not older than the clone."""
+    """Return whether these files exist and are not older than the clone."""
     last, made = visitor / FOLDER / "clone.glb", result / CLONE_FILE
     return last.is_file() and made.is_file() and last.stat().st_mtime >= made.stat().st_mtime
 
 
 def _turn(angle: float) -> NDArray[np.float64]:
-    """Return a turn about the vertical axis."""
+    """Return the rotation about the vertical axis by an angle."""
     cosine, sine = math.cos(angle), math.sin(angle)
     return np.array([[cosine, 0, sine, 0], [0, 1, 0, 0], [-sine, 0, cosine, 0], [0, 0, 0, 1.0]])

@@ -75,7 +75,7 @@ class PhoneServer:
 
     @property
     def base(self) -> str:
-        """The address that every link begins with."""
+        """The base address of all links."""
         host, port = self._server.server_address[:2]
         return f"{'https' if self._secure else 'http'}://{host!s}:{port}/"
 
@@ -84,14 +84,14 @@ class PhoneServer:
         return f"{self.base}{token}/"
 
     def stop(self) -> None:
-        """Serve nothing any more: the port is closed when this returns."""
+        """Stop serving: the port is closed when this returns."""
         self._server.shutdown()
         self._server.server_close()
         self._thread.join()
 
 
-def own_addresses() -> tuple[str, ...]:
-    """Return this computer's addresses in networks, the one that others reach first; this computer alone at last.
+def local_addresses() -> tuple[str, ...]:
+    """Return this computer's addresses in its networks, the likeliest to be reachable first, the loopback last.
 
     Nothing is sent: a datagram socket that is only connected names the address it would send from.
     """
@@ -107,16 +107,16 @@ def own_addresses() -> tuple[str, ...]:
 
 
 class _State:
-    """What all requests share."""
+    """State shared by all requests."""
 
     def __init__(self, visitors: Callable[[], tuple[Path, ...]], language: str) -> None:
         self.visitors, self.language = visitors, language
-        self.asked = limits.Budget(limits.BURST, limits.EACH_SECOND)
-        self.wrong = limits.Budget(limits.WRONG_BURST, limits.WRONG_EACH_SECOND)
+        self.asked = limits.RateLimit(limits.BURST, limits.EACH_SECOND)
+        self.wrong = limits.RateLimit(limits.WRONG_BURST, limits.WRONG_EACH_SECOND)
 
 
 class _Server(ThreadingHTTPServer):
-    """Answers each request on a thread of its own, up to a limit."""
+    """Answers each request in its own thread, up to a limit."""
 
     daemon_threads = True
     allow_reuse_address = True
@@ -127,14 +127,14 @@ class _Server(ThreadingHTTPServer):
         super().__init__(address, handler)
 
     def process_request(self, request: Any, client_address: Any) -> None:
-        """Begin to answer, where not too many are answered already."""
+        """Begin to answer unless too many requests are being answered."""
         if not self._free.acquire(timeout=1.0):
             self.shutdown_request(request)
             return
         super().process_request(request, client_address)
 
     def process_request_thread(self, request: Any, client_address: Any) -> None:
-        """Answer; the handshake is made here, where a slow telephone keeps nobody waiting."""
+        """Answer; the TLS handshake takes place here, so that a slow phone delays nobody else."""
         try:
             request.settimeout(SLOWEST_S)
             if self.tls is not None:
@@ -146,7 +146,7 @@ class _Server(ThreadingHTTPServer):
             self._free.release()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Say nothing of telephones that went away."""
+        """Ignore phones that closed the connection."""
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -164,7 +164,7 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(with_body=True)
 
     def do_HEAD(self) -> None:
-        """Send what a file would be."""
+        """Send a file's headers."""
         self._answer(with_body=False)
 
     def _answer(self, *, with_body: bool) -> None:
@@ -180,7 +180,7 @@ class _Handler(BaseHTTPRequestHandler):
         self._send(200, *found, with_body)
 
     def _found(self, path: str) -> tuple[str, bytes] | None:
-        """Return kind and content of what a path leads to."""
+        """Return type and content of a path."""
         token, slash, file = path.removeprefix("/").partition("/")
         if not slash or not token.isascii() or len(path) > 200 or (file and file not in FILES):
             return None
@@ -212,4 +212,4 @@ class _Handler(BaseHTTPRequestHandler):
             self.wfile.write(content)
 
     def log_message(self, format: str, *args: Any) -> None:  # noqa: A002
-        """Log nothing: who looks at a clone is nobody's business."""
+        """Log nothing: who looks at a clone stays private."""

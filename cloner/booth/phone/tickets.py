@@ -25,7 +25,7 @@ TOKEN_BYTES: Final = 16
 
 @dataclass(frozen=True, slots=True)
 class Ticket:
-    """What opens a visitor's page.
+    """The secret of a visitor's page.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Ticket:
 
 
 def read_ticket(folder: Path) -> Ticket | None:
-    """Return a visitor's ticket, None where there is none that can be read."""
+    """Return a visitor's ticket, None if there is none or it cannot be read."""
     try:
         told = json.loads(read_untrusted(folder / TICKET_FILE, LARGEST_BYTES))
         ticket = Ticket(str(told["token"]), datetime.fromisoformat(told["expires"]))
@@ -48,8 +48,8 @@ def read_ticket(folder: Path) -> Ticket | None:
     return ticket if len(ticket.token) >= TOKEN_BYTES and ticket.expires.tzinfo is not None else None
 
 
-def give_ticket(folder: Path, now: datetime, hours: int) -> Ticket:
-    """Return the ticket of a visitor, a new one where there is none or it has expired.
+def issue_ticket(folder: Path, now: datetime, hours: int) -> Ticket:
+    """Return a visitor's ticket, a new one if there is none or it has expired.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def give_ticket(folder: Path, now: datetime, hours: int) -> Ticket:
 
 
 def visitor_of(token: str, folders: Iterable[Path], now: datetime) -> Path | None:
-    """Return whose ticket a token is, None for one that is nobody's or has expired.
+    """Return the visitor of a token, None if it is unknown or has expired.
 
     Every ticket is compared to its end, so that the time of the answer tells nothing of how near a guess came.
     """

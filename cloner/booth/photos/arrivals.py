@@ -1,4 +1,4 @@
-"""New photos in a tethered camera's folder, distinguished from partial and earlier ones."""
+"""New photos in a tethered camera's folder, told apart from incomplete and earlier ones."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Sizes = Mapping[Path, int]
 NOTE_FILE: Final = ".camera.json"
 
 
-def sizes(folder: Path) -> dict[Path, int]:
-    """Return the photos of a folder with their sizes; nothing where it cannot be read (a pulled cable)."""
+def photo_sizes(folder: Path) -> dict[Path, int]:
+    """Return the sizes of a folder's photos; empty if it cannot be read (a pulled cable)."""
     try:
         inside = [path for path in sorted(folder.iterdir()) if path.suffix.lower() in SUFFIXES]
         return {path: path.stat().st_size for path in inside if path.is_file() and not path.name.startswith(".")}
@@ -26,8 +26,8 @@ def sizes(folder: Path) -> dict[Path, int]:
         return {}
 
 
-def arrived(known: Sizes, last: Sizes, now: Sizes) -> tuple[Path, ...]:
-    """Return the photos that are new and whole.
+def complete_photos(known: Sizes, last: Sizes, now: Sizes) -> tuple[Path, ...]:
+    """Return the photos that are new and completely written.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ def arrived(known: Sizes, last: Sizes, now: Sizes) -> tuple[Path, ...]:
 
 
 def write_note(root: Path, camera: Path, known: Sizes) -> None:
-    """Note which of a camera's photos are stored or somebody else's: after a crash the others are still taken.
+    """Record which of a camera's photos were already taken over, so that after a crash only the others are.
 
     Raises
     ------
@@ -52,7 +52,7 @@ def write_note(root: Path, camera: Path, known: Sizes) -> None:
 
 
 def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
-    """Return the note of a window that ended without closing about this folder; None where there is none."""
+    """Return the record left by a window that crashed; None if there is none for this folder."""
     try:
         told = json.loads(read_untrusted(root / NOTE_FILE, LARGEST_BYTES))
         if told["folder"] != str(camera):
@@ -63,5 +63,5 @@ def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
 
 
 def drop_note(root: Path) -> None:
-    """Remove the note: what lies in the camera's folder when it is watched again belongs to somebody else."""
+    """Remove the record: photos in the camera's folder at its next use belong to somebody else."""
     (root / NOTE_FILE).unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""A webcam on this computer: single pictures in sequence."""
+"""A webcam of this computer: live pictures and photos."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ JPEG_QUALITY: Final = 95
 
 
 class Camera(Protocol):
-    """Something that gives pictures; tests bring their own."""
+    """A source of pictures; tests bring their own."""
 
     def read(self) -> NDArray[np.uint8] | None:
-        """Return the next (H, W, 3) uint8 sRGB picture; None when there is none any more."""
+        """Return the next (H, W, 3) uint8 sRGB picture; None at the end."""
 
     def shoot(self) -> bytes:
-        """Take a photo and return its file's bytes.
+        """Take a photo and return the file's bytes.
 
         Raises
         ------
@@ -31,11 +31,11 @@ class Camera(Protocol):
         """
 
     def close(self) -> None:
-        """Let the camera go."""
+        """Release the camera."""
 
 
-def shrunk(rgb: NDArray[np.uint8], height_px: int) -> NDArray[np.uint8]:
-    """Return a picture (H, W, 3) at most so high: a live picture need not be larger than it is seen."""
+def limit_height(rgb: NDArray[np.uint8], height_px: int) -> NDArray[np.uint8]:
+    """Return a picture (H, W, 3), reduced to a height if it is larger."""
     share = height_px / rgb.shape[0]
     if share >= 1.0:
         return rgb
@@ -44,7 +44,7 @@ def shrunk(rgb: NDArray[np.uint8], height_px: int) -> NDArray[np.uint8]:
 
 
 class Webcam:
-    """A camera by its number.
+    """A camera of this computer by its number.
 
     Raises
     ------
@@ -73,7 +73,7 @@ class Webcam:
         return jpeg_bytes(picture)
 
     def close(self) -> None:
-        """Let the camera go."""
+        """Release the camera."""
         self._capture.release()
 
 
@@ -85,16 +85,16 @@ def jpeg_bytes(rgb: NDArray[np.uint8]) -> bytes:
     return bytes(data)
 
 
-def turned(rgb: NDArray[np.uint8], quarters: int) -> NDArray[np.uint8]:
-    """Return a picture turned clockwise by quarters: webcams stand on their side to see a whole body."""
+def rotate_quarters(rgb: NDArray[np.uint8], quarters: int) -> NDArray[np.uint8]:
+    """Return a picture rotated clockwise by quarters: webcams are placed on their side to see a whole body."""
     return np.ascontiguousarray(np.rot90(rgb, -quarters))
 
 
-def turned_file(data: bytes, quarters: int) -> bytes:
-    """Return a photo's file turned clockwise by quarters; as the camera wrote it where it is not turned."""
+def rotate_file(data: bytes, quarters: int) -> bytes:
+    """Return a photo's file rotated clockwise by quarters; unchanged bytes for 0."""
     if quarters % 4 == 0:
         return data
     bgr = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
     if bgr is None:
         raise ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera")
-    return jpeg_bytes(turned(np.asarray(cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)), quarters))
+    return jpeg_bytes(rotate_quarters(np.asarray(cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)), quarters))

@@ -34,7 +34,7 @@ _WRITE_HINT: Final = "Check the folder's permissions and space"
 
 
 def store_photo(folder: Path, data: bytes, suffix: str, meant: ViewId | None = None) -> Path:
-    """Put a new photo into a visitor's tray, to be looked at, and return where it lies.
+    """Store a new photo in a visitor's tray, to be checked, and return its path.
 
     Parameters
     ----------
@@ -68,12 +68,12 @@ def store_photo(folder: Path, data: bytes, suffix: str, meant: ViewId | None = N
 
 
 def new_photos(folder: Path) -> tuple[Path, ...]:
-    """Return the photos of the tray that nobody has looked at yet, the oldest first."""
+    """Return the tray's photos that were not checked yet, the oldest first."""
     return tuple(path for path in tray_photos(folder) if path.stem.partition(".")[2])
 
 
-def meant_for(path: Path) -> ViewId | None:
-    """Return the view that a new photo of the tray is brought for; None where it may be any."""
+def intended_view(path: Path) -> ViewId | None:
+    """Return the view for which a photo of the tray was taken; None for any."""
     mark = path.stem.partition(".")[2]
     return ViewId(mark) if mark in set(ViewId) else None
 
@@ -85,25 +85,25 @@ def _free_place(tray: Path, suffix: str) -> Path:
 
 
 def tray_photos(folder: Path) -> tuple[Path, ...]:
-    """Return the photos that show no view yet, the oldest first."""
+    """Return the photos that are not assigned to a view yet, the oldest first."""
     tray = folder / TRAY
     found = sorted(tray.iterdir()) if tray.is_dir() else []
     return tuple(path for path in found if path.suffix.lower() in SUFFIXES and not path.name.startswith("."))
 
 
 def placed_photos(folder: Path) -> PhotoSet:
-    """Return the decoded photos of a visitor's views, whichever there are.
+    """Return the decoded photos of a visitor's views, those that exist.
 
     Raises
     ------
     ClonerError
         If one cannot be read.
     """
-    return PhotoSet({view: decoded(path, view) for view, path in view_files(folder).items()})
+    return PhotoSet({view: decode_photo(path, view) for view, path in view_files(folder).items()})
 
 
-def decoded(path: Path, view: ViewId) -> Photo:
-    """Return a decoded photo; one that somebody holds and whose file is still the same is not decoded again.
+def decode_photo(path: Path, view: ViewId) -> Photo:
+    """Return a decoded photo; an unchanged file is not decoded again while the result is in use.
 
     A visitor is read anew after every photo that comes: without this the first of five is decoded fifteen times.
 
@@ -128,8 +128,8 @@ def photo_of(folder: Path, view: ViewId) -> Path | None:
     return view_files(folder).get(view)
 
 
-def use_as(folder: Path, path: Path, view: ViewId) -> Path:
-    """Make a visitor's photo the one of a view and return its new place; the one before goes into the tray.
+def assign_view(folder: Path, path: Path, view: ViewId) -> Path:
+    """Assign a visitor's photo to a view and return its new path; the previous one moves to the tray.
 
     Raises
     ------
@@ -140,7 +140,7 @@ def use_as(folder: Path, path: Path, view: ViewId) -> Path:
     if before == path:
         return path
     if before is not None:
-        to_tray(folder, before)
+        move_to_tray(folder, before)
     return _moved(path, folder / f"{view}{path.suffix.lower()}")
 
 
@@ -149,29 +149,29 @@ def place_new(folder: Path, path: Path, view: ViewId | None) -> Path:
     means to replace it; a photo of no view stays in the tray and is no longer new.
     """
     if view is not None:
-        return use_as(folder, path, view)
+        return assign_view(folder, path, view)
     plain = path.with_name(path.stem.partition(".")[0] + path.suffix)
     return path if plain == path else _moved(path, plain)
 
 
-def meant_view(name: str) -> ViewId | None:
-    """Return the view that a file's name says."""
+def view_of_name(name: str) -> ViewId | None:
+    """Return the view that a file's name gives."""
     stem = Path(name).stem.lower()
     return ViewId(stem) if stem in set(ViewId) else None
 
 
-def exchange(folder: Path, one: ViewId, other: ViewId) -> None:
+def swap_views(folder: Path, one: ViewId, other: ViewId) -> None:
     """Exchange the photos of two views; either may be missing."""
     first, second = photo_of(folder, one), photo_of(folder, other)
-    aside = None if first is None else to_tray(folder, first)
+    aside = None if first is None else move_to_tray(folder, first)
     if second is not None:
-        use_as(folder, second, one)
+        assign_view(folder, second, one)
     if aside is not None:
-        use_as(folder, aside, other)
+        assign_view(folder, aside, other)
 
 
-def to_tray(folder: Path, path: Path) -> Path:
-    """Take a photo out of its view."""
+def move_to_tray(folder: Path, path: Path) -> Path:
+    """Move a view's photo to the tray."""
     tray = folder / TRAY
     tray.mkdir(exist_ok=True)
     with _TURN:
@@ -193,8 +193,8 @@ def remove(path: Path) -> None:
         raise ClonerError("the photo cannot be deleted", _WRITE_HINT, path.name) from error
 
 
-def turn_right(path: Path) -> None:
-    """Turn a photo a quarter to the right; of JPEG files only the EXIF mark changes, not a pixel.
+def rotate_right(path: Path) -> None:
+    """Rotate a photo clockwise by a quarter; of JPEG files only the EXIF orientation changes.
 
     Raises
     ------

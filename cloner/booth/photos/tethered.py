@@ -1,4 +1,4 @@
-"""A camera on a USB cable, by the program gphoto2 where it is installed: live view and photos.
+"""A camera on a USB cable, through the program gphoto2 if it is installed: live view and photos.
 
 gphoto2 runs as a process of its own: its drivers may crash, and its licence stays its own. The live picture is the
 stream of ``--capture-movie``, JPEG files one after the other; a camera that gives none takes photos all the same.
@@ -51,7 +51,7 @@ class Tethered:
         self._begin()
 
     def read(self) -> NDArray[np.uint8] | None:
-        """Return the next live picture; a grey one where the camera shows none."""
+        """Return the next live picture; a grey one if the camera gives none."""
         jpeg = self._next_jpeg()
         bgr = None if jpeg is None else cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_COLOR)
         if bgr is None:
@@ -77,7 +77,7 @@ class Tethered:
         return data
 
     def close(self) -> None:
-        """Let the camera go."""
+        """Release the camera."""
         self._end()
 
     def _run(self, *arguments: str, seconds: float) -> str:
@@ -103,7 +103,7 @@ class Tethered:
             self._movie = None
 
     def _next_jpeg(self) -> bytes | None:
-        """Return the next whole picture of the stream; None where none comes in time."""
+        """Return the next complete picture of the stream; None on timeout."""
         stream = None if self._movie is None else self._movie.stdout
         while stream is not None and len(self._held) < _LONGEST:
             begin = self._held.find(_BEGIN)
@@ -122,7 +122,7 @@ class Tethered:
 
 
 def cameras_of(told: str) -> tuple[str, ...]:
-    """Return the models in what ``gphoto2 --auto-detect`` tells: a heading, a line of dashes, then one a row."""
+    """Return the models in the output of ``gphoto2 --auto-detect``: a heading, a line of dashes, then one per row."""
     _, dashes, rows = told.partition("---")
     lines = rows.splitlines()[1:] if dashes else []
     return tuple(line.rpartition("usb:")[0].strip() for line in lines if "usb:" in line)

@@ -1,4 +1,4 @@
-"""Statues: a clone in stone, a photograph fitted to a clone by markers, a body of blobs."""
+"""Statues: a clone in stone, a photograph fitted to a clone by markers, a body of metaballs."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _FACE_SHARE: Final = 0.5
 
 
 class Carving:
-    """The jobs of the windows for statues."""
+    """Jobs of the statues' windows."""
 
     def __init__(self) -> None:
         self._onto: tuple[tuple[Path | None, int], Clone] | None = None
@@ -50,7 +50,7 @@ class Carving:
     # --- a clone in stone --------------------------------------------------------------
 
     def carve(self, source: Path, material: str, pose: str, progress: Progress) -> Clone:
-        """Return a clone cut from a material."""
+        """Return a clone in a material."""
         progress("textures", 0.2)
         return standing(statue_of(self._base(source), material), pose)
 
@@ -64,7 +64,7 @@ class Carving:
     # --- a photograph on a clone --------------------------------------------------------
 
     def mark_photo(self, path: Path, onto: Path | None, progress: Progress) -> MarkedPhoto:
-        """Return a photo and where it shows a clone's face, as far as the nets see one in it."""
+        """Return a photo with markers for the face points that the nets find in it."""
         progress("photos", 0.0)
         clone, picture = self._base(onto), read_picture(path)
         progress("proposals", 0.3)
@@ -76,7 +76,7 @@ class Carving:
     def paint_photo(
         self, rgb: Pixels, focal_px: float, markers: Markers, onto: Path | None, material: str, progress: Progress
     ) -> Clone:
-        """Return the clone with a photo fitted to it and extended all around, in a material if one is named."""
+        """Return the clone with a photo fitted to it and extended all around, optionally in a material."""
         progress("textures", 0.0)
         clone, known = self._base(onto), known_points()
         vertices = np.array([one if isinstance(one, int) else known[one] for one in markers.at], np.int32)
@@ -89,7 +89,7 @@ class Carving:
     def save_photo(
         self, photo: Path, markers: Markers, onto: Path | None, wish: StatueWish, progress: Progress
     ) -> Path:
-        """Write the clone with a photo on it; see `cloner.statues.photographed.photo_folder`."""
+        """Write the clone with a fitted photo; see `cloner.statues.photographed.photo_folder`."""
         whole, shown = read_picture(photo).original_size, read_picture(photo).rgb.shape[1]
         px = (markers.px + 0.5) * (whole[0] / shown) - 0.5  # the file tells places in the photo as it was taken
         told = [{"at": at, "px": place} for at, place in zip(markers.at, px.tolist(), strict=True)]
@@ -105,20 +105,20 @@ class Carving:
     # --- a body of blobs ------------------------------------------------------------------
 
     def begin_blobs(self, onto: Path | None, progress: Progress) -> tuple[Clone, tuple[Blob, ...]]:
-        """Return a clone, the usual man where none is named, and the blobs that make its body."""
+        """Return a clone, the average man if none is named, and the metaballs that form its body."""
         progress("body", 0.3)
         clone = self._base(onto)
         return clone, usual_blobs(clone.vertices_m, clone.joints_m)
 
     def lay_blobs(self, onto: Path | None, blobs: tuple[Blob, ...], progress: Progress) -> Figure:
-        """Return the clone's skin fitted to blobs."""
+        """Return the clone's skin fitted to metaballs."""
         progress("body", 0.0)
         made, _ = clone_of_blobs(self._base(onto), blobs)
         shells = tuple(shell.vertices_m for shell in made.shells)
         return Figure(made.vertices_m, made.joints_m, shells, made.measures_mm)
 
     def save_blobs(self, onto: Path | None, blobs: tuple[Blob, ...], wish: StatueWish, progress: Progress) -> Path:
-        """Write a body of blobs; see `cloner.statues.blob_bodies.blob_folder`."""
+        """Write a body of metaballs; see `cloner.statues.blob_bodies.blob_folder`."""
         with tempfile.TemporaryDirectory() as room:
             file = Path(room) / "blobs.json"
             file.write_text(written_blobs(blobs, self._base(onto).stamp), encoding="utf-8")
@@ -129,7 +129,7 @@ class Carving:
         return folder
 
     def _base(self, source: Path | None) -> Clone:
-        """Return a clone, the usual man where none is named; the last one is remembered."""
+        """Return a clone, the average man if none is named; the latest one is cached."""
         key = source, 0 if source is None else clone_file(source).stat().st_mtime_ns
         if self._onto is None or self._onto[0] != key:
             made = clone_of_measures(USUAL, _SHOWN_TEXELS) if source is None else load_clone_at(source)
@@ -138,7 +138,7 @@ class Carving:
 
 
 def _seen(photo: Photo) -> dict[str, Array]:
-    """Return the places (2,) of a face's named points in a photo, pixels; nothing where the nets see no face."""
+    """Return the pixels (2,) of a face's named points in a photo; empty if the nets find no face."""
     photos = PhotoSet({photo.view: photo})
     try:
         proposals = resolve_hidden(photos, {photo.view: propose(photo)}, {})
@@ -152,7 +152,7 @@ def _seen(photo: Photo) -> dict[str, Array]:
 
 
 def _placed(clone: Clone, found: dict[str, Array], size_px: tuple[int, int], focal_px: float) -> Markers:
-    """Return markers at what was found, and between where a clone bent to that shows them."""
+    """Return markers at the found points, and between them where a clone bent to those shows them."""
     known, generic = known_points(), load_generic()
     vertices = np.array([known[name] for name in MARKED], np.int32)
     rows = [row for row, name in enumerate(MARKED) if name in found]

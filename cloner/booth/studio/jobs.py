@@ -5,7 +5,7 @@ from __future__ import annotations
 from cloner.booth.studio.carving import Carving
 from cloner.booth.studio.shaping import Shaping
 from cloner.booth.studio.wearing import Wearing
-from cloner.booth.worker import Show, not_shown
+from cloner.booth.worker import Show, ignore
 
 
 class StudioJobs(Wearing, Shaping, Carving):
@@ -17,7 +17,7 @@ class StudioJobs(Wearing, Shaping, Carving):
         Takes what a job has to show so far.
     """
 
-    def __init__(self, show: Show = not_shown) -> None:
+    def __init__(self, show: Show = ignore) -> None:
         Wearing.__init__(self, show)
         Shaping.__init__(self)
         Carving.__init__(self)

@@ -25,28 +25,28 @@ _USUAL_M: Final = {"f": 1.65, "m": 1.75}
 
 
 @functools.lru_cache(maxsize=4)
-def _usual(sex: str, age_years: float) -> Clone:
+def _average(sex: str, age_years: float) -> Clone:
     """Return an average person."""
     stature_m = _USUAL_M[sex] if age_years >= GROWN else stature_mm(sex, age_years)[0] / 1e3
     return clone_of_measures(BodySpecification(sex, stature_m, {}, age_years), _SHOWN_TEXELS)
 
 
 class Shaping:
-    """The jobs of the window for bodies."""
+    """Jobs of the bodies' window."""
 
     def __init__(self) -> None:
         self._source: tuple[tuple[Path, int], Clone] | None = None
 
     def begin_body(self, wish: BodyWish, progress: Progress) -> tuple[Clone, str]:
-        """Return the clone whose skin and face the body has, and its sex."""
+        """Return the clone that provides the body's skin and face, and its sex."""
         progress("body", 0.0)
         if wish.source is not None:
             clone = self._of(wish.source)
             return clone, wish.sex or sex_of(clone)
-        return _usual(wish.sex, wish.age_years), wish.sex
+        return _average(wish.sex, wish.age_years), wish.sex
 
     def shape_body(self, wish: BodyWish, progress: Progress) -> Figure:
-        """Return a body of given measures; see `cloner.bodies.made`."""
+        """Return a body with given measures; see `cloner.bodies.made`."""
         progress("body", 0.0)
         told_mm = {key: 10.0 * value for key, value in wish.cm.items()}
         if wish.source is None:

@@ -19,14 +19,14 @@ Rgb = tuple[float, float, float]
 
 
 def received(clone: Clone) -> Clone:
-    """Return a clone that came through a pipe as it was: read-only, so that a painter keeps its textures."""
+    """Return a clone that came through a pipe, read-only as before, so that a painter keeps its textures."""
     shells = tuple(replace(shell) for shell in clone.shells)
     return replace(clone, atlas=replace(clone.atlas), shells=shells)
 
 
 @dataclass(frozen=True, slots=True)
 class Outfit:
-    """What is worn by whom.
+    """Who wears which garments.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Outfit:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Draped:
-    """Cloth on a clone, in one frame or in all of a loop.
+    """Cloth on a clone, in one frame or in all frames of a loop.
 
     Attributes
     ----------
@@ -119,7 +119,7 @@ class BodyWish:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Figure:
-    """What changes of a clone with its measures.
+    """Changed measures of a clone.
 
     Attributes
     ----------
@@ -138,7 +138,7 @@ class Figure:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Markers:
-    """Where a photo shows places of a clone's skin.
+    """Pixels of a photo that show points of a clone's skin.
 
     Attributes
     ----------

@@ -1,6 +1,4 @@
-"""Dressing: a garment is arranged on a clone, sewn, simulated in a walk and written; intermediate
-results are cached.
-"""
+"""Dressing: a garment is placed on a clone, sewn, simulated in a walk and written; intermediate results are cached."""
 
 from __future__ import annotations
 
@@ -12,7 +10,7 @@ import numpy as np
 from cloner.bodies.undressed import undressed_clone
 from cloner.bodies.written import sex_of
 from cloner.booth.studio.values import Arranged, Draped, Outfit, Rgb
-from cloner.booth.worker import Show, not_shown
+from cloner.booth.worker import Show, ignore
 from cloner.cloth.clothed import check_folder, write_clothed
 from cloner.cloth.drafting.pattern import Pattern, curve
 from cloner.cloth.dressing import Dressed, Dressing, Watch, fabric_named, motion_of, pattern_of
@@ -33,7 +31,7 @@ FORMATS: Final = ("glb", "wrl")
 
 
 class Wearing:
-    """The jobs of the window for wearing.
+    """Jobs of the garments' window.
 
     Parameters
     ----------
@@ -41,14 +39,14 @@ class Wearing:
         Takes a `Draped` for every frame of cloth that is simulated.
     """
 
-    def __init__(self, show: Show = not_shown) -> None:
+    def __init__(self, show: Show = ignore) -> None:
         self._show = show
         self._below: tuple[tuple[Path, bool, int], Clone, Clone] | None = None
         self._dressing: tuple[Outfit, Dressing, Pattern] | None = None
         self._dressed: dict[Outfit, Dressed] = {}
 
     def arrange(self, outfit: Outfit, progress: Progress) -> Arranged:
-        """Cut a garment and lay it round the clone; see `cloner.cloth.simulation.moving.put_on`."""
+        """Cut a garment and place it around the clone; see `cloner.cloth.simulation.moving.put_on`."""
         dressing, pattern = self._arranged(outfit, progress)
         still = np.zeros_like(dressing.worn.rotations[0])
         places = dressing.with_below(dressing.worn.start.places_m, SETTLE - 1)
@@ -56,12 +54,14 @@ class Wearing:
         return Arranged(self._wearer(outfit, progress), _pieces(pattern), draped)
 
     def hang(self, outfit: Outfit, progress: Progress) -> None:
-        """Sew the garment and let it hang; shows every frame."""
+        """Sew the garment and let it settle; shows every frame."""
         dressing, _ = self._arranged(outfit, progress)
         dressing.hung(self._watch(outfit, dressing), progress=progress)
 
     def walk(self, outfit: Outfit, progress: Progress) -> tuple[Draped, float]:
-        """Walk in the garment until its loop is found; return the loop and its frames a second. Shows every frame."""
+        """Simulate the garment in a walk until a loop is found; return the loop and its frames per second. Shows every
+        frame.
+        """
         found = self._walked(outfit, progress)
         worn, loop = found.worn, found.below()
         shown = Draped(
@@ -71,7 +71,7 @@ class Wearing:
         return shown, float(FRAMES_PER_S)
 
     def save_worn(self, outfit: Outfit, out: Path, progress: Progress) -> Path:
-        """Write the clone in its garments; see `cloner.cloth.written.write_dressed`. Without an ending: as a result."""
+        """Write the clone in its garments; see `cloner.cloth.written.write_dressed`. Without a suffix: as a result."""
         if not out.suffix:
             check_folder(out, outfit.clone, FORMATS)
         found = self._walked(outfit, progress)
@@ -85,7 +85,7 @@ class Wearing:
         return out
 
     def _walked(self, outfit: Outfit, progress: Progress) -> Dressed:
-        """Return a garment in its loop; the last one, and what is worn below it, are remembered."""
+        """Return a garment's loop; the latest one, and what is worn below it, are cached."""
         self._wearer(outfit, progress)
         if outfit not in self._dressed:
             dressing, _ = self._arranged(outfit, progress)
@@ -96,7 +96,7 @@ class Wearing:
         return self._dressed[outfit]
 
     def _wearer(self, outfit: Outfit, progress: Progress) -> Clone:
-        """Return who wears it, with joints in the middle of the limbs."""
+        """Return the wearer, with joints in the middle of the limbs."""
         self._plain(outfit, progress)
         assert self._below is not None
         return self._below[2]
@@ -112,7 +112,7 @@ class Wearing:
         return self._below[1]
 
     def _arranged(self, outfit: Outfit, progress: Progress) -> tuple[Dressing, Pattern]:
-        """Return the garment's present state; arranged anew where something else is requested."""
+        """Return the garment's present state; placed anew if another one is requested."""
         clone = self._wearer(outfit, progress)
         if self._dressing is None or self._dressing[0] != outfit:
             under = None if outfit.under is None else self._walked(outfit.under, progress)
@@ -139,7 +139,7 @@ class Wearing:
 
 
 def _garments(outfit: Outfit) -> list[str]:
-    """Return the names of what is worn, the innermost first."""
+    """Return the names of the worn garments, the innermost first."""
     return [*(_garments(outfit.under) if outfit.under is not None else ()), Path(outfit.garment).stem]
 
 

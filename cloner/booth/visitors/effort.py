@@ -15,7 +15,7 @@ COLUMNS: Final = ("visitor", "started", "state", "seconds", "clicks", "drags", "
 
 
 def effort_rows(visits: Mapping[Path, Visit]) -> list[tuple[str, ...]]:
-    """Return one row a visitor, in the order of `COLUMNS`."""
+    """Return one row per visitor, with columns `COLUMNS`."""
     return [
         (
             folder.name,
@@ -30,8 +30,8 @@ def effort_rows(visits: Mapping[Path, Visit]) -> list[tuple[str, ...]]:
     ]
 
 
-def middle_effort(visits: Mapping[Path, Visit]) -> tuple[float, float, float]:
-    """Return the medians of seconds, clicks and drags; zeros where nobody came."""
+def median_effort(visits: Mapping[Path, Visit]) -> tuple[float, float, float]:
+    """Return the medians of seconds, clicks and drags; zeros without visitors."""
     seen = list(visits.values())
     if not seen:
         return 0.0, 0.0, 0.0

@@ -1,4 +1,4 @@
-"""Visitors' names on the operator's screen: name and number; log and files have numbers only."""
+"""Visitors' names on the operator's screen: name and number; log and files use numbers only."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from cloner.untrusted import read_untrusted
 
 
 def number_of(folder: Path) -> str:
-    """Return a visitor's number as spoken, "7" of ``visitor-007``; the folder's name where it has none."""
+    """Return a visitor's number, "7" of ``visitor-007``; the folder's name if it has none."""
     digits = folder.name.removeprefix("visitor-")
     return str(int(digits)) if digits != folder.name and digits.isdigit() else folder.name
 
 
-def called(name: str, folder: Path, visitor: str) -> str:
-    """Return "Anna (7)", or "Visitor 7" for who gave no name.
+def display_name(name: str, folder: Path, visitor: str) -> str:
+    """Return "Anna (7)", or "Visitor 7" for visitors without a name.
 
     Parameters
     ----------
@@ -36,18 +36,18 @@ def called(name: str, folder: Path, visitor: str) -> str:
 
 
 def first_name(name: str) -> str:
-    """Return the first word of a name, for public use."""
+    """Return the first word of a name, for public display."""
     return name.split()[0] if name.split() else ""
 
 
 class KnownNames:
-    """Reads visitors' names, and a file again only when it has changed: lists are shown often."""
+    """Reads visitors' names, and a file again only after it has changed, as lists are redrawn often."""
 
     def __init__(self) -> None:
         self._known: dict[Path, tuple[tuple[int, int, int], str]] = {}
 
     def read(self, folder: Path) -> str:
-        """Return the name as it was typed; "" where there is none, or the file cannot be read."""
+        """Return the name as it was entered; "" if there is none or the file cannot be read."""
         try:
             found = os.stat(os.path.join(folder, PERSON_FILE))  # asked for hundreds of visitors at once
         except OSError:

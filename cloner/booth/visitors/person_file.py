@@ -31,7 +31,7 @@ def cm_from_feet(feet: int, inches: float) -> float:
 
 
 def feet_from_cm(height_cm: float) -> tuple[int, float]:
-    """Return whole feet and inches, to half an inch: nobody's height is known better."""
+    """Return whole feet and inches, to half an inch."""
     inches = round(2.0 * height_cm / CENTIMETRES_PER_INCH) / 2.0
     return int(inches // INCHES_PER_FOOT), inches % INCHES_PER_FOOT
 
@@ -44,7 +44,7 @@ def write_person(
     consent: str,
     agreed: Mapping[str, str] = MappingProxyType({}),
 ) -> None:
-    """Write what is known of a visitor, in one step; notes and tape measures stay, comments do not.
+    """Write a visitor's facts atomically; notes and tape measures are kept, comments are not.
 
     Parameters
     ----------
@@ -75,14 +75,14 @@ def write_person(
 
 
 def person_facts(folder: Path) -> tuple[str, float | None, str]:
-    """Return name, height in centimetres if it is known, and consent."""
+    """Return name, height in centimetres if known, and consent."""
     person = read_person(folder)
     height = round(cm_from_m(person.stature_m), 1) if person.stature_is_known else None
     return person.name, height, read_consent(folder)
 
 
 def consent_given(text: str, now: datetime, language: str) -> str:
-    """Return the record of a consent: its text as it was read, when, and in which language."""
+    """Return the record of a consent: its text as shown, time, and language."""
     return f"{text.strip()} ({now:%Y-%m-%d %H:%M} UTC, {language})"
 
 
@@ -92,13 +92,13 @@ def consent_words(consent: str) -> str:
 
 
 def consent_when(consent: str) -> str:
-    """Return when and in which language a consent was given, as far as it says so; else all of it."""
+    """Return when and in which language a consent was given, if recorded; else the whole record."""
     found = re.search(r"\((\d{4}-\d\d-\d\d[^()]*)\)$", consent)
     return found.group(1) if found else consent
 
 
 def consent_language(consent: str) -> str:
-    """Return the language a consent was read in, "de"; "" where it does not say."""
+    """Return the language in which a consent was read, "de"; "" if not recorded."""
     found = re.search(r"\(\d{4}-\d\d-\d\d[^()]*, (\w\w)\)$", consent)
     return found.group(1) if found else ""
 
@@ -123,7 +123,7 @@ def _line(key: str, value: object) -> str:
 
 
 def is_untouched(folder: Path) -> bool:
-    """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
+    """Return whether nothing is known of a visitor yet: no name, height, consent or photo."""
     files = {path.name for path in walk_files(folder) if path.is_file()}
     try:
         return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
 
-from cloner.booth.visitors.kept import CLONE_FILE, RESULTS, VALUES_FILE, WORK
+from cloner.booth.visitors.cached_work import CLONE_FILE, RESULTS, VALUES_FILE, WORK
 from cloner.errors import ClonerError
 from cloner.project.results import RESULT_MARK
 from cloner.project.texts import read_text
@@ -24,15 +24,15 @@ _VALUES: Final = "values.npz"
 _RESULT: Final = "result"
 
 
-def has_before(visitor: Path) -> bool:
-    """Return whether there is a clone before the last one."""
+def has_previous(visitor: Path) -> bool:
+    """Return whether there is a previous clone."""
     result = visitor / BEFORE / _RESULT
     return (result / RESULT_MARK).is_file() and (result / CLONE_FILE).is_file()
 
 
 @contextmanager
-def keeping_before(visitor: Path, name: str, photos: Mapping[str, str]) -> Iterator[None]:
-    """Keep a visitor's result as the clone before, if the block, which makes another, ends well.
+def keep_previous(visitor: Path, name: str, photos: Mapping[str, str]) -> Iterator[None]:
+    """Keep a visitor's result as the previous clone if the block, which makes another, succeeds.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def keeping_before(visitor: Path, name: str, photos: Mapping[str, str]) -> Itera
     result = visitor / RESULTS / name
     kept = _photos_of(result) == photos
     if kept:
-        _laid_aside(result, visitor / WORK / VALUES_FILE, coming)
+        _linked_copy(result, visitor / WORK / VALUES_FILE, coming)
     try:
         yield
     except BaseException:
@@ -58,28 +58,28 @@ def keeping_before(visitor: Path, name: str, photos: Mapping[str, str]) -> Itera
         coming.rename(before)
 
 
-def bring_before(visitor: Path, name: str) -> None:
-    """Exchange a visitor's clone and the one before; done again it is as it was.
+def swap_with_previous(visitor: Path, name: str) -> None:
+    """Exchange a visitor's clone and the previous one; doing it twice changes nothing.
 
     Raises
     ------
     ClonerError
         If there is none before, or files cannot be moved.
     """
-    if not has_before(visitor):
+    if not has_previous(visitor):
         raise ClonerError("there is no clone before this one", "Clone again", visitor.name)
     try:
         shutil.rmtree(visitor / _COMING, ignore_errors=True)
-        _laid_aside(visitor / RESULTS / name, visitor / WORK / VALUES_FILE, visitor / _COMING)
+        _linked_copy(visitor / RESULTS / name, visitor / WORK / VALUES_FILE, visitor / _COMING)
         (visitor / RESULTS / name).rename(visitor / _GOING)
-        mend_versions(visitor, name)
+        finish_swap(visitor, name)
         os.utime(visitor / RESULTS / name / CLONE_FILE)  # what was drawn of the other is older, and drawn anew
     except OSError as error:
         raise ClonerError("the visitor cannot be moved", "Check permissions and space", visitor.name) from error
 
 
-def mend_versions(visitor: Path, name: str) -> None:
-    """Finish an exchange that has begun, also one that a crash broke off: both clones are whole afterwards.
+def finish_swap(visitor: Path, name: str) -> None:
+    """Finish an exchange that a crash interrupted: both clones are complete afterwards.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def mend_versions(visitor: Path, name: str) -> None:
 
 
 def _photos_of(result: Path) -> object:
-    """Return the digests of the photos that a result was made of; None where there is no whole one."""
+    """Return the digests of the photos that a result was made of; None if the result is incomplete."""
     if not (result / CLONE_FILE).is_file():
         return None
     try:
@@ -109,8 +109,8 @@ def _photos_of(result: Path) -> object:
         return None
 
 
-def _laid_aside(result: Path, values: Path, to: Path) -> None:
-    """Link a result and its values to another place; copy them where the disk has no links."""
+def _linked_copy(result: Path, values: Path, to: Path) -> None:
+    """Hard-link a result and its values to another place; copy them if the disk has no links."""
     to.mkdir()
     shutil.copytree(result, to / _RESULT, copy_function=_link)
     if values.is_file():

@@ -20,7 +20,7 @@ VISIT_FILE: Final = "visit.json"
 
 
 class State(StrEnum):
-    """What becomes of a visitor's clone."""
+    """The state of a visitor's clone."""
 
     NONE = "none"
     WAITING = "waiting"  # also while it is cloned: after a crash it is simply cloned again
@@ -30,7 +30,7 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Visit:
-    """How far a visitor has come.
+    """A visitor's progress.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ _KINDS: Final = {key: type(value) for key, value in asdict(Visit()).items()}
 
 
 def read_visit(folder: Path) -> Visit:
-    """Return a visitor's progress; from the start where the file is missing or broken.
+    """Return a visitor's progress; a new one if the file is missing or damaged.
 
     The file is the window's own memory: losing it costs a click, so it never stands in the way of the photos.
     """
@@ -97,7 +97,7 @@ def read_visit(folder: Path) -> Visit:
 
 
 class KnownVisits:
-    """Reads visits again and again, and a file again only when it has changed: after an hour there are hundreds."""
+    """Reads visits, and a file again only after it has changed, as there can be hundreds."""
 
     def __init__(self) -> None:
         self._known: dict[Path, tuple[tuple[int, int, int], Visit]] = {}
@@ -117,7 +117,7 @@ class KnownVisits:
 
 
 def write_visit(folder: Path, visit: Visit) -> None:
-    """Write how far a visitor has come, in one step.
+    """Write a visitor's progress atomically.
 
     Raises
     ------

@@ -67,7 +67,7 @@ def casting_of(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[s
     masks : sequence of mapping of garment to (S, S) bool
         Which texels each clone's garments cover.
     told : mapping
-        Of :func:`read_looks`.
+        Of :func:`read_checks`.
 
     Raises
     ------

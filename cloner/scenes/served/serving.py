@@ -152,7 +152,7 @@ class _State:
     """What all requests share."""
 
     def __init__(self, living: Living, opens: Callable[[str], bool]) -> None:
-        self.living, self.opens = living, opens
+        self.living, self.accepts = living, opens
         self.token, self.host = secrets.token_urlsafe(24), ""
         self.places = threading.BoundedSemaphore(MOST_PAGES)
 
@@ -264,7 +264,7 @@ def _asked(state: _State, page: Any, staff: bool, said: tuple[str, str]) -> tupl
     if kind == "walk":
         return staff, {"who": state.living.walks(page, _place(text))}
     if kind == "number":
-        staff = state.opens(text)
+        staff = state.accepts(text)
         if not staff:
             time.sleep(WRONG_S)
         return staff, {"staff": staff}

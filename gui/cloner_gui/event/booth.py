@@ -22,7 +22,7 @@ from cloner.booth.events.event import (
 )
 from cloner.booth.opened import Opened
 from cloner.booth.photos import arrivals
-from cloner.booth.visitors import line
+from cloner.booth.visitors import waiting_line
 from cloner.booth.visitors.person_file import is_untouched
 from cloner.booth.visitors.visits import KnownVisits, Visit, read_visit
 from cloner.errors import ClonerError
@@ -86,7 +86,7 @@ class Booth(Everybody):
             self.open_visitor(folder)
             return
         known = self.visits()
-        self.session.queue.resume(line.waiting(known))
+        self.session.queue.resume(waiting_line.waiting(known))
         self.tell_change()
         last = folder / self.settings.open
         if self.settings.open and last in known:
@@ -113,7 +113,7 @@ class Booth(Everybody):
     def _follow_settings(self) -> None:
         self.session.queue.formats = self.settings.formats
         self.session.queue.clone_at_once(self.settings.at_once)
-        self.session.queue.usual_s = line.usual_seconds(self.visits())
+        self.session.queue.usual_s = waiting_line.typical_seconds(self.visits())
         camera = Path(self.settings.camera_folder) if self.settings.camera_folder else None
         if camera != self.intake.camera_folder:
             root = self.root

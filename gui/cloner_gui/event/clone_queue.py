@@ -12,11 +12,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from cloner.booth.growing import Shape
+from cloner.booth.body_preview import Shape
 from cloner.booth.handover.takeaway import has_result
 from cloner.booth.opened import Cloned
-from cloner.booth.visitors import line
-from cloner.booth.visitors.kept import RESULTS
+from cloner.booth.visitors import waiting_line
+from cloner.booth.visitors.cached_work import RESULTS
 from cloner.booth.visitors.visits import Visit, read_visit, write_visit
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
@@ -39,7 +39,7 @@ def update_visit(folder: Path, change: Callable[[Visit], Visit]) -> None:
 
 def note_asked(folder: Path) -> Path:
     """Note that a clone of a visitor was asked for now; return the visitor."""
-    update_visit(folder, lambda visit: line.asked(visit, now_text()))
+    update_visit(folder, lambda visit: waiting_line.with_request(visit, now_text()))
     return folder
 
 
@@ -82,7 +82,7 @@ class CloneQueue(QObject):
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.formats: tuple[str, ...] = ("glb", "wrl")
-        self.usual_s = line.USUAL_S
+        self.usual_s = waiting_line.USUAL_S
         self._at_once = 1
         self._services = services
         self._waiting: list[Path] = []
@@ -117,7 +117,7 @@ class CloneQueue(QObject):
         run = self._runs.get(folder) or next(iter(self._runs.values()), None)
         before = 0 if folder in self._runs else 1 + self._waiting.index(folder) // self._at_once
         fraction, spent_s = (run.fraction, time.monotonic() - run.since) if run is not None else (0.0, 0.0)
-        return line.seconds_left(fraction, spent_s, self.usual_s, before)
+        return waiting_line.seconds_left(fraction, spent_s, self.usual_s, before)
 
     def ask(self, folder: Path) -> None:
         """Put a visitor at the end of the queue."""
@@ -145,7 +145,7 @@ class CloneQueue(QObject):
         """Take a visitor out of the queue, at once."""
         self._stop(folder)
         done = has_result(folder / RESULTS / safe_identifier(folder.name))
-        update_visit(folder, lambda visit: line.withdrawn(visit, done))
+        update_visit(folder, lambda visit: waiting_line.without_request(visit, done))
         self.changed.emit()
 
     def close(self) -> None:
@@ -185,7 +185,7 @@ class CloneQueue(QObject):
         cloned, seconds = made
         self._let_go(folder)
         log.info("%s: cloned in %.0f s", folder.name, seconds)
-        update_visit(folder, lambda visit: line.cloned(visit, seconds, now_text()))
+        update_visit(folder, lambda visit: waiting_line.with_clone(visit, seconds, now_text()))
         self.finished.emit(folder, cloned)
 
     def _let_go(self, folder: Path) -> None:
@@ -196,7 +196,7 @@ class CloneQueue(QObject):
     def _complain(self, folder: Path, error: ClonerError) -> None:
         self._let_go(folder)
         log.warning("%s: not cloned", folder.name)
-        update_visit(folder, lambda visit: line.failed(visit, str(error)))
+        update_visit(folder, lambda visit: waiting_line.with_failure(visit, str(error)))
         self.failed.emit(folder, error)
 
     def _done(self, folder: Path, task: Task) -> None:

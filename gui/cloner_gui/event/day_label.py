@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from cloner.booth.events import trash
-from cloner.booth.events.day import Day, days, days_csv
-from cloner.booth.photos.looks import read_looks
+from cloner.booth.events.day import Day, days_csv, statistics_by_day
+from cloner.booth.photos.check_cache import read_checks
 from cloner.booth.visitors.visits import Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
@@ -80,7 +80,7 @@ def _counted(visits: Mapping[Path, Visit], root: Path | None) -> tuple[Day, ...]
 
     Who was thrown away since the visits were listed counts once.
     """
-    thrown = () if root is None else trash.thrown_away(root)
+    thrown = () if root is None else trash.trashed_visitors(root)
     names = {folder.name for folder in thrown}
     stayed = {folder: visit for folder, visit in visits.items() if folder.name not in names or folder.is_dir()}
-    return days({**stayed, **{folder: read_visit(folder) for folder in thrown}}, read_looks)
+    return statistics_by_day({**stayed, **{folder: read_visit(folder) for folder in thrown}}, read_checks)

@@ -11,7 +11,7 @@ from typing import Any, Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from cloner.booth.visitors import line
+from cloner.booth.visitors import waiting_line
 from cloner.booth.visitors.person_file import consent_given, person_facts, write_person
 from cloner.booth.visitors.visits import read_visit
 from cloner.errors import ClonerError
@@ -117,7 +117,7 @@ class Desk(QObject):
         if folder is None or not (clicks or drags > self._counted):
             return
         more, self._counted = drags - self._counted, drags
-        self._guard(lambda: update_visit(folder, lambda v: line.with_effort(v, spent, clicks, max(more, 0))))
+        self._guard(lambda: update_visit(folder, lambda v: waiting_line.with_effort(v, spent, clicks, max(more, 0))))
 
     def begin_effort(self) -> None:
         """Count from now on for another visitor."""

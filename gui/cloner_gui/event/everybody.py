@@ -9,11 +9,11 @@ from typing import Any, Final
 
 from PySide6.QtCore import QObject, Signal
 
-from cloner.booth.events import keeping, trash
+from cloner.booth.events import retention, trash
 from cloner.booth.events.event import Event
 from cloner.booth.opened import Opened
-from cloner.booth.visitors.names import KnownNames, called
-from cloner.booth.visitors.versions import bring_before, has_before
+from cloner.booth.visitors.names import KnownNames, display_name
+from cloner.booth.visitors.versions import has_previous, swap_with_previous
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import Holding
 from cloner.project.folder import safe_identifier
@@ -58,17 +58,17 @@ class Everybody(Desk):
 
     def name_of(self, folder: Path) -> str:
         """Return what a visitor is called on the operator's screen."""
-        return called(self._names.read(folder), folder, translate("visitor", "Visitor {n}"))
+        return display_name(self._names.read(folder), folder, translate("visitor", "Visitor {n}"))
 
     def held_soon(self) -> Callable[[], tuple[Holding, ...]]:
         """Return work that gives what is held of everybody; it looks at every file and belongs on another thread."""
         root = self.root
-        return lambda: () if root is None else keeping.held(root)
+        return lambda: () if root is None else retention.stored_data(root)
 
     def overdue_soon(self) -> Callable[[], tuple[Holding, ...]]:
         """Return work that gives whose time is over; as :meth:`held_soon`."""
         root, days = self.root, self.settings.retention_days
-        return lambda: () if root is None else keeping.overdue(root, days, datetime.now(UTC))
+        return lambda: () if root is None else retention.overdue_data(root, days, datetime.now(UTC))
 
     def forget(self, *folders: Path) -> None:
         """Delete visitors with everything derived: nobody sees them from now on, and files go beside the window."""
@@ -76,15 +76,17 @@ class Everybody(Desk):
         for folder in folders:
             self._let_go(folder)
             if root is not None:
-                self._guard(lambda folder=folder: keeping.put_aside(folder))
+                self._guard(lambda folder=folder: retention.set_aside(folder))
         self._tell_gone()
-        self._delete(lambda: keeping.forget_visitors(folders, None) if root is None else keeping.finish(root))
+        self._delete(
+            lambda: retention.forget_visitors(folders, None) if root is None else retention.finish_deletions(root)
+        )
 
     def tidy_up(self) -> None:
         """Finish deletions that a crash broke off, and delete who was in the trash for as long as was said."""
         root, days, now = self.root, self.settings.trash_days, datetime.now(UTC)
         if root is not None:
-            self._delete(lambda: keeping.tidied(root, days, now))
+            self._delete(lambda: retention.tidy_up(root, days, now))
 
     def _delete(self, work: Callable[[], tuple[str, ...]]) -> None:
         """Delete beside the window's thread, and tell which files still speak of who went: all files are read."""
@@ -107,7 +109,7 @@ class Everybody(Desk):
         for folder in folders:
             self._let_go(folder)
         now = datetime.now(UTC)
-        self._beside(lambda: _moved(lambda folder: trash.throw_away(folder, now), folders), self._tell_thrown)
+        self._beside(lambda: _moved(lambda folder: trash.move_to_trash(folder, now), folders), self._tell_thrown)
         self._tell_gone()
 
     def _tell_thrown(self, moved: _Moved) -> None:
@@ -119,7 +121,7 @@ class Everybody(Desk):
 
     def bring_back(self, *folders: Path) -> None:
         """Take visitors out of the trash."""
-        self._beside(lambda: _moved(trash.bring_back, folders), self._tell_wrong)
+        self._beside(lambda: _moved(trash.restore, folders), self._tell_wrong)
 
     def clone_again(self, *folders: Path) -> None:
         """Put visitors, many perhaps, at the end of the queue."""
@@ -135,7 +137,7 @@ class Everybody(Desk):
     def bring_clone_before(self, *folders: Path) -> None:
         """Exchange visitors' clones and those before; done again it is as it was."""
         here, services = self.session.folder, self.session.services
-        wanted = [folder for folder in folders if has_before(folder) and not self.session.queue.holds(folder)]
+        wanted = [folder for folder in folders if has_previous(folder) and not self.session.queue.holds(folder)]
 
         def exchange() -> tuple[_Moved, Opened | None]:
             moved = _moved(_exchanged, wanted)
@@ -182,7 +184,7 @@ def _moved(move: Callable[[Path], Path], folders: Sequence[Path]) -> _Moved:
 
 
 def _exchanged(folder: Path) -> Path:
-    bring_before(folder, safe_identifier(folder.name))
+    swap_with_previous(folder, safe_identifier(folder.name))
     return folder
 
 

@@ -14,9 +14,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from cloner.booth.opened import Opened
 from cloner.booth.photos import arrivals
-from cloner.booth.photos.looks import keep_look, read_looks
-from cloner.booth.photos.photo_files import meant_for, meant_view, new_photos, place_new, remove, store_photo
-from cloner.booth.visitors import line
+from cloner.booth.photos.check_cache import read_checks, store_check
+from cloner.booth.photos.photo_files import intended_view, new_photos, place_new, remove, store_photo, view_of_name
+from cloner.booth.visitors import waiting_line
 from cloner.booth.worker import Progress
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -60,15 +60,15 @@ class Incoming:
 def judge(services: Services, folder: Path, path: Path, progress: Progress) -> Opened:
     """Look at a stored photo, give it its place, and return the visitor anew; what is no photo goes again."""
     if path.exists():  # it may have been taken out of the tray by hand meanwhile
-        known = read_looks(folder).get(file_digest(path))
+        known = read_checks(folder).get(file_digest(path))
         try:
-            look = known or services.look(path, meant_for(path), progress)
+            look = known or services.look(path, intended_view(path), progress)
         except ClonerError:
             remove(path)
             raise
-        keep_look(folder, look)
-        place_new(folder, path, meant_for(path) or look.view)
-        update_visit(folder, line.photos_changed)
+        store_check(folder, look)
+        place_new(folder, path, intended_view(path) or look.view)
+        update_visit(folder, waiting_line.with_changed_photos)
     return services.open(folder)
 
 
@@ -78,8 +78,8 @@ def change(services: Services, folder: Path, edit: Callable[[], object], progres
     opened = services.open(folder)
     fresh = [photo for photo in opened.photos.photos.values() if photo.digest not in opened.looks]
     for photo in fresh:
-        keep_look(folder, services.look(folder / photo.name, photo.view, progress))
-    update_visit(folder, line.photos_changed)
+        store_check(folder, services.look(folder / photo.name, photo.view, progress))
+    update_visit(folder, waiting_line.with_changed_photos)
     return services.open(folder) if fresh else opened
 
 
@@ -119,7 +119,7 @@ class Intake(QObject):
         """Take photo files; the originals stay where they are. One alone may be meant for a view."""
         if len(paths) != 1:
             meant = None  # several let go on one card find their own places
-        self._store([Incoming(path, path.suffix, meant or meant_view(path.name)) for path in paths])
+        self._store([Incoming(path, path.suffix, meant or view_of_name(path.name)) for path in paths])
 
     def add_bytes(self, data: bytes, suffix: str, meant: ViewId | None = None) -> None:
         """Take a photo that is no file yet."""
@@ -143,7 +143,7 @@ class Intake(QObject):
     def watch(self, folder: Path | None, known: dict[Path, int] | None = None) -> None:
         """Take every photo that appears in a folder from now on, or since ``known``; None stops that."""
         self.camera_folder = folder
-        self._known = {} if folder is None else arrivals.sizes(folder) if known is None else known
+        self._known = {} if folder is None else arrivals.photo_sizes(folder) if known is None else known
         self._last = dict(self._known)
         if folder is None:
             self._timer.stop()
@@ -155,11 +155,11 @@ class Intake(QObject):
         """Take the photos that have appeared; without a visitor who agreed they wait in their folder."""
         if self.camera_folder is None or self._session.folder is None or not self._session.consent:
             return
-        now = arrivals.sizes(self.camera_folder)
-        fresh = arrivals.arrived(self._known, self._last, now)
+        now = arrivals.photo_sizes(self.camera_folder)
+        fresh = arrivals.complete_photos(self._known, self._last, now)
         self._last = now
         self._known |= {path: now[path] for path in fresh}
-        self._store([Incoming(path, path.suffix, meant_view(path.name)) for path in fresh])
+        self._store([Incoming(path, path.suffix, view_of_name(path.name)) for path in fresh])
 
     def drop(self, folder: Path) -> None:
         """Bring no more photos to a visitor who goes, and wait for those under way."""

@@ -11,7 +11,7 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF, Qt
 from PySide6.QtGui import QImage, QPainter, QPixmap, QShowEvent
 from PySide6.QtWidgets import QFileDialog, QLabel, QWidget
 
-from cloner.booth.handover.takeaway import code_modules
+from cloner.booth.handover.takeaway import qr_modules
 from cloner.booth.opened import Cloned
 from cloner.booth.stage import public_name
 from cloner.booth.visitors.names import first_name, number_of
@@ -123,7 +123,7 @@ class Keepsakes(Card):
             called = translate("visitor", "Visitor {n}").format(n=called)
         link = self._link()
         try:
-            code = code_modules(link) if link else None
+            code = qr_modules(link) if link else None
         except ClonerError:
             code = None
         told = translate("keepsakes", "Your files: {folder}").format(folder=folder.name)
@@ -177,12 +177,12 @@ class Keepsakes(Card):
         path = self._ask(".eml", "E-mail (*.eml)")
         if folder is None or picture is None or path is None:
             return
-        from cloner.booth.handover.letter import draft  # Python's own e-mail library: seldom wanted
+        from cloner.booth.handover.email import email_draft  # Python's own e-mail library: seldom wanted
 
         code = consent_language(self._booth.session.consent) or self._booth.settings.language
         called, event = first_name(self._booth.typed_name(folder)), self._booth.settings.title
         subject, text = letter_text(code, called, event, self._link())
-        self._guard(lambda: _write(path, draft(subject, text, jpeg_of(picture))), path)
+        self._guard(lambda: _write(path, email_draft(subject, text, jpeg_of(picture))), path)
 
     def _ask(self, suffix: str, kinds: str) -> Path | None:
         folder = self._booth.session.folder

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from cloner.booth.visitors import line
+from cloner.booth.visitors import waiting_line
 from cloner.booth.visitors.visits import read_visit
 from cloner.frames import ViewId
 from cloner_gui.language.words import translate
@@ -20,13 +20,15 @@ def has_front(session: Session) -> bool:
 
 
 def is_owed(session: Session) -> bool:
-    """Return whether the open visitor still waits to be queued; see `cloner.booth.visitors.line.is_owed`."""
+    """Return whether the open visitor should be queued; see `cloner.booth.visitors.waiting_line.should_queue`."""
     folder = session.folder
     if folder is None or not folder.is_dir():
         return False
     current = session.outcome is not None and not session.is_stale()
     agreed = bool(session.consent)
-    return line.is_owed(read_visit(folder), has_front=has_front(session), agreed=agreed, is_current=current)
+    return waiting_line.should_queue(
+        read_visit(folder), has_front=has_front(session), agreed=agreed, is_current=current
+    )
 
 
 def settle(booth: Booth) -> None:

@@ -8,10 +8,10 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from cloner.booth.events.event import visitor_folders
-from cloner.booth.phone.certificate import own_certificate
+from cloner.booth.phone.certificate import make_certificate
 from cloner.booth.phone.parcel import is_packed
-from cloner.booth.phone.server import PORT, PhoneServer, own_addresses
-from cloner.booth.phone.tickets import give_ticket
+from cloner.booth.phone.server import PORT, PhoneServer, local_addresses
+from cloner.booth.phone.tickets import issue_ticket
 from cloner.errors import ClonerError
 from cloner_gui.background.worker import Task
 from cloner_gui.event.booth import Booth
@@ -57,13 +57,13 @@ class Phone(QObject):
         self.prepare()
 
     def _start(self, root: Path) -> None:
-        settings, address = self._booth.settings, own_addresses()[0]
+        settings, address = self._booth.settings, local_addresses()[0]
 
         def visitors() -> tuple[Path, ...]:
             return visitor_folders(root)
 
         try:
-            keys = own_certificate(root, address) if settings.phone_https else None
+            keys = make_certificate(root, address) if settings.phone_https else None
             try:
                 self._server = PhoneServer(visitors, settings.language, address, PORT, keys)
             except ClonerError:
@@ -79,7 +79,7 @@ class Phone(QObject):
         if not is_packed(session.folder, session.outcome.folder):
             return ""
         try:
-            ticket = give_ticket(session.folder, datetime.now(UTC), self._booth.settings.phone_hours)
+            ticket = issue_ticket(session.folder, datetime.now(UTC), self._booth.settings.phone_hours)
         except ClonerError:
             return ""
         return self._server.link(ticket.token)

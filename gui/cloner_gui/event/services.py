@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
-from cloner.booth.photos.looking_table import Look
 from cloner.booth.photos.photo_files import placed_photos
-from cloner.booth.visitors.kept import proposed_points
-from cloner.booth.worker import Progress, Show, Worker, not_shown
+from cloner.booth.photos.photo_problems import PhotoCheck
+from cloner.booth.visitors.cached_work import proposed_points
+from cloner.booth.worker import Progress, Show, Worker, ignore
 from cloner.errors import Cancelled, ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
@@ -60,10 +60,10 @@ def pack_parcel(folder: Path, result: Path, progress: Progress) -> Path:
 
 
 def draw_stroll(folder: Path, result: Path, progress: Progress) -> Path:
-    """Draw a visitor's walk for the visitors' screen; see `cloner.booth.strolling`."""
-    from cloner.booth import strolling
+    """Draw a visitor's walk for the visitors' screen; see `cloner.booth.walk_pictures`."""
+    from cloner.booth import walk_pictures
 
-    return strolling.draw_stroll(folder, result, progress)
+    return walk_pictures.draw_walk_pictures(folder, result, progress)
 
 
 def nothing(*_: object) -> None:
@@ -104,7 +104,7 @@ class Services:
         Called when the window opens and closes.
     """
 
-    look: Callable[[Path, ViewId | None, Progress], Look]
+    look: Callable[[Path, ViewId | None, Progress], PhotoCheck]
     propose: Callable[[Path, PhotoSet, Progress], ProposedPoints]
     clone: Callable[[Path, Sequence[str], Progress, Show], tuple[Cloned, float]]
     hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
@@ -133,8 +133,8 @@ def process_services() -> Services:
     )
 
 
-def _look(worker: Worker, path: Path, wanted: ViewId | None, progress: Progress) -> Look:
-    told: Look = worker.call("look", path, wanted, progress=progress)
+def _look(worker: Worker, path: Path, wanted: ViewId | None, progress: Progress) -> PhotoCheck:
+    told: PhotoCheck = worker.call("look", path, wanted, progress=progress)
     return told
 
 
@@ -151,7 +151,7 @@ class Ovens:
         self._all: list[Worker] = []
         self._lock = threading.Lock()
 
-    def call(self, method: str, *arguments: object, progress: Progress, show: Show = not_shown) -> Any:
+    def call(self, method: str, *arguments: object, progress: Progress, show: Show = ignore) -> Any:
         """Do a job in a process that has none; see `Worker.call`."""
         with self._lock:
             if not self._free:

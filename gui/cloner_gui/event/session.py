@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
-from cloner.booth.growing import Shape
+from cloner.booth.body_preview import Shape
 from cloner.booth.opened import Cloned, Opened, TrayPhoto
-from cloner.booth.photos.looking_table import Look
+from cloner.booth.photos.photo_problems import PhotoCheck
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.corrections import move_point, no_corrections, remove_point
@@ -65,7 +65,7 @@ class Session(QObject):
         self.height_cm: float | None = None
         self.consent = ""
         self.tray: tuple[TrayPhoto, ...] = ()
-        self.looks: dict[str, Look] = {}
+        self.looks: dict[str, PhotoCheck] = {}
         self.thumbnails: Mapping[ViewId, NDArray[np.uint8]] = {}
         self.corrections = no_corrections()
         self.proposed: ProposedPoints = {}

@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QTranslator
 
-from cloner.booth.photos.looking_table import Trouble
+from cloner.booth.photos.photo_problems import PhotoProblem
 from cloner.booth.visitors.visits import State
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
 
@@ -85,16 +85,22 @@ STEPS: Final = Spoken(
 TROUBLES: Final = Spoken(
     "troubles",
     {
-        Trouble.NOBODY: QT_TRANSLATE_NOOP("troubles", "Nobody was found: take it again with the person in full view."),
-        Trouble.SEVERAL: QT_TRANSLATE_NOOP("troubles", "More than one person: take it again with one person alone."),
-        Trouble.LYING: QT_TRANSLATE_NOOP("troubles", "The person lies on the side: turn the photo."),
-        Trouble.NO_VIEW: QT_TRANSLATE_NOOP("troubles", "It shows none of the five views: turn the person or retake."),
-        Trouble.OTHER_VIEW: QT_TRANSLATE_NOOP("troubles", "It does not show this view: exchange or retake it."),
-        Trouble.CUT: QT_TRANSLATE_NOOP("troubles", "The person is cut off: step back and retake."),
-        Trouble.SMALL: QT_TRANSLATE_NOOP("troubles", "The person is small: step nearer or zoom in."),
-        Trouble.BLURRED: QT_TRANSLATE_NOOP("troubles", "It is blurred: hold still, focus and retake."),
-        Trouble.DARK: QT_TRANSLATE_NOOP("troubles", "It is dark: add light or expose longer."),
-        Trouble.BRIGHT: QT_TRANSLATE_NOOP("troubles", "It is burnt out: less light or a shorter exposure."),
+        PhotoProblem.NOBODY: QT_TRANSLATE_NOOP(
+            "troubles", "Nobody was found: take it again with the person in full view."
+        ),
+        PhotoProblem.SEVERAL: QT_TRANSLATE_NOOP(
+            "troubles", "More than one person: take it again with one person alone."
+        ),
+        PhotoProblem.LYING: QT_TRANSLATE_NOOP("troubles", "The person lies on the side: turn the photo."),
+        PhotoProblem.NO_VIEW: QT_TRANSLATE_NOOP(
+            "troubles", "It shows none of the five views: turn the person or retake."
+        ),
+        PhotoProblem.OTHER_VIEW: QT_TRANSLATE_NOOP("troubles", "It does not show this view: exchange or retake it."),
+        PhotoProblem.CUT: QT_TRANSLATE_NOOP("troubles", "The person is cut off: step back and retake."),
+        PhotoProblem.SMALL: QT_TRANSLATE_NOOP("troubles", "The person is small: step nearer or zoom in."),
+        PhotoProblem.BLURRED: QT_TRANSLATE_NOOP("troubles", "It is blurred: hold still, focus and retake."),
+        PhotoProblem.DARK: QT_TRANSLATE_NOOP("troubles", "It is dark: add light or expose longer."),
+        PhotoProblem.BRIGHT: QT_TRANSLATE_NOOP("troubles", "It is burnt out: less light or a shorter exposure."),
     },
 )
 STATES: Final = Spoken(

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner.booth.visitors.worth import MOST, Change, change_of, doubtful
+from cloner.booth.visitors.uncertain import MOST, Effect, effect_of_point, uncertain_points
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints
 from cloner_gui.language.point_names import spoken
@@ -15,23 +15,23 @@ from cloner_gui.language.words import VIEW_TITLES, Spoken, translate
 CHANGES = Spoken(
     "worth",
     {
-        Change.HEIGHT: QT_TRANSLATE_NOOP("worth", "the height"),
-        Change.FACE: QT_TRANSLATE_NOOP("worth", "the face"),
-        Change.POSE: QT_TRANSLATE_NOOP("worth", "the pose"),
-        Change.BREADTH: QT_TRANSLATE_NOOP("worth", "how broad the body is"),
+        Effect.HEIGHT: QT_TRANSLATE_NOOP("worth", "the height"),
+        Effect.FACE: QT_TRANSLATE_NOOP("worth", "the face"),
+        Effect.POSE: QT_TRANSLATE_NOOP("worth", "the pose"),
+        Effect.BREADTH: QT_TRANSLATE_NOOP("worth", "how broad the body is"),
     },
 )
 
 
 def told_worth(points: Mapping[ViewId, ViewPoints]) -> str:
     """Return which points are worth a look and what they change, in the window's language."""
-    found = [(view, name) for view, names in doubtful(points).items() for name in names]
+    found = [(view, name) for view, names in uncertain_points(points).items() for name in names]
     if not found:
         return translate("worth", "All points are sure: the clone needs no hand.")
     names = ", ".join(f"{spoken(name)} ({VIEW_TITLES[view]})" for view, name in found[:MOST])
     more = len(found) - MOST
     if more > 0:
         names += translate("worth", " and {n} more").format(n=more)
-    changes = ", ".join(dict.fromkeys(CHANGES[change_of(view, name)] for view, name in found))
+    changes = ", ".join(dict.fromkeys(CHANGES[effect_of_point(view, name)] for view, name in found))
     told = translate("worth", "Worth a look under Points: {names}. They set {changes}.")
     return told.format(names=names, changes=changes)

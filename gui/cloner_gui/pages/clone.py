@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from cloner.booth.visitors.versions import has_before
+from cloner.booth.visitors.versions import has_previous
 from cloner.booth.visitors.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.interactive.outline_gaps import outline_gaps_mm
@@ -149,7 +149,7 @@ class ClonePage(QWidget):
         self.clone_button.setEnabled(not busy and has_front(self._session))
         self.reveal_button.setVisible(not busy and self._session.outcome is not None)
         folder = self._session.folder
-        self.before_button.setVisible(not busy and folder is not None and has_before(folder))
+        self.before_button.setVisible(not busy and folder is not None and has_previous(folder))
         self.cancel_button.setVisible(busy)
         self._show_stale()
         self.cancel_button.setEnabled(busy)

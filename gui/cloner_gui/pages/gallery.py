@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 
 from cloner.booth.events import trash
 from cloner.booth.photos.photo_files import photo_of
-from cloner.booth.visitors.kept import RESULTS
-from cloner.booth.visitors.versions import has_before
+from cloner.booth.visitors.cached_work import RESULTS
+from cloner.booth.visitors.versions import has_previous
 from cloner.booth.visitors.visits import State, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -136,7 +136,7 @@ class GalleryWindow(QDialog):
         in_trash = self.which.currentIndex() == TRASHED
         visits = self._booth.visits()
         if in_trash and root is not None:
-            visits = {folder: read_visit(folder) for folder in trash.thrown_away(root)}
+            visits = {folder: read_visit(folder) for folder in trash.trashed_visitors(root)}
         shown = {folder: visit for folder, visit in visits.items() if self._is_wanted(folder, visit)}
         self._icons.clear()
         self.list.blockSignals(True)
@@ -177,7 +177,7 @@ class GalleryWindow(QDialog):
         return fits and text in self._booth.name_of(folder).casefold()
 
     def _told_end(self, folder: Path) -> str:
-        end = trash.ends(folder, self._booth.settings.trash_days)
+        end = trash.deletion_time(folder, self._booth.settings.trash_days)
         if end is None:
             return ""
         return translate("gallery", "deleted for good on {when}").format(when=f"{end.astimezone():%d.%m. %H:%M}")
@@ -187,7 +187,7 @@ class GalleryWindow(QDialog):
         self.open_button.setEnabled(marked == 1 and not in_trash)
         for one in (self.again_button, self.trash_button):
             one.setEnabled(marked > 0 and not in_trash)
-        self.before_button.setEnabled(not in_trash and any(map(has_before, self.marked())))
+        self.before_button.setEnabled(not in_trash and any(map(has_previous, self.marked())))
         self.trash_button.setVisible(self._booth.settings.trash_days > 0)
         self.back_button.setEnabled(marked > 0 and in_trash)
         self.forget_button.setEnabled(marked > 0)

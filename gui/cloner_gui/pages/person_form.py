@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLineEdit, QSizePolicy, QWidget
 
-from cloner.booth.events.agreed import offered_licences, usual_licence
+from cloner.booth.events.agreed import default_licence, offered_licences
 from cloner.booth.events.event import LANGUAGES
 from cloner.booth.visitors.person_file import consent_when, consent_words
 from cloner.booth.visitors.visits import read_visit
@@ -201,7 +201,7 @@ class PersonForm(Card):
         """Ask who may use the files, as far as the event asks for more than nobody else; or show what was agreed."""
         settings, code, consent = self._booth.settings, str(self.language.currentData()), self._booth.session.consent
         offered, recorded = offered_licences(settings), self._booth.licence() if consent else ""
-        self.licence.offer((recorded,) if recorded else offered, code, recorded or usual_licence(settings, code))
+        self.licence.offer((recorded,) if recorded else offered, code, recorded or default_licence(settings, code))
         self.licence.choice.setEnabled(not recorded)
         for one in (self.licence_label, self.licence):
             one.setVisible(len(offered) > 1 or recorded not in ("", LICENCES[0]))

@@ -95,7 +95,7 @@ class PhotosPage(QWidget):
             card.add_wanted.connect(self.choose)
             card.whole_wanted.connect(self._show_whole)
             card.exchange_wanted.connect(self._exchange)
-            card.turn_wanted.connect(self._on_file(photo_files.turn_right))
+            card.turn_wanted.connect(self._on_file(photo_files.rotate_right))
             card.remove_wanted.connect(self._on_file(photo_files.remove))
             card.tray_wanted.connect(self._to_tray)
             card.files_dropped.connect(lambda view, data: self.take(data, view))
@@ -219,17 +219,17 @@ class PhotosPage(QWidget):
     def _exchange(self, one: ViewId, other: ViewId) -> None:
         folder = self._booth.session.folder
         if folder is not None:
-            self._booth.intake.edit(lambda: photo_files.exchange(folder, one, other))
+            self._booth.intake.edit(lambda: photo_files.swap_views(folder, one, other))
 
     def _use(self, path: Path, view: ViewId) -> None:
         folder = self._booth.session.folder
         if folder is not None:
-            self._booth.intake.edit(lambda: photo_files.use_as(folder, path, view))
+            self._booth.intake.edit(lambda: photo_files.assign_view(folder, path, view))
 
     def _to_tray(self, view: ViewId) -> None:
         folder, path = self._booth.session.folder, self._path(view)
         if folder is not None and path is not None:
-            self._booth.intake.edit(lambda: photo_files.to_tray(folder, path))
+            self._booth.intake.edit(lambda: photo_files.move_to_tray(folder, path))
 
     def _on_file(self, edit: Callable[[Path], None]) -> Callable[[ViewId], None]:
         def act(view: ViewId) -> None:

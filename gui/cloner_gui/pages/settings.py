@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from cloner.booth.events.event import LANGUAGES, MOST_AT_ONCE
-from cloner.booth.events.pin import kept_pin
+from cloner.booth.events.pin import hash_pin
 from cloner.records.terms import LICENCES
 from cloner_gui.event.booth import Booth
 from cloner_gui.language.languages import LANGUAGE_NAMES, consent_text
@@ -156,6 +156,6 @@ class SettingsWindow(QDialog):
             phone_hours=self.hours.value(),
             phone_https=self.https.isChecked(),
             calm=self.calm.isChecked(),
-            pin="" if not self.asks.isChecked() else kept_pin(number) if number else kept,
+            pin="" if not self.asks.isChecked() else hash_pin(number) if number else kept,
         )
         super().accept()

@@ -10,9 +10,9 @@ from PySide6.QtGui import QCloseEvent, QGuiApplication, QImage, QMouseEvent, QPi
 from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from cloner.booth.stage import public_name, queue_names, result_of, shown_clones
-from cloner.booth.strolling import stroll_of
-from cloner.booth.visitors.kept import CLONE_FILE
+from cloner.booth.visitors.cached_work import CLONE_FILE
 from cloner.booth.visitors.visits import read_visit
+from cloner.booth.walk_pictures import read_walk_pictures
 from cloner.errors import ClonerError
 from cloner.project.clone_file import load_clone
 from cloner.records.clones import Clone
@@ -105,7 +105,7 @@ class StageWindow(QWidget):
     def show_crowd(self) -> bool:
         """Let the day's people walk by; return whether there are enough of them."""
         self._seen = 0
-        strolls = {one: stroll_of(one, result_of(one)) for one in shown_clones(self._booth.visits())[:MOST]}
+        strolls = {one: read_walk_pictures(one, result_of(one)) for one in shown_clones(self._booth.visits())[:MOST]}
         files = {one: file for one, file in strolls.items() if file is not None}
         if len(files) < _CROWD_LEAST:
             return False
@@ -130,7 +130,7 @@ class StageWindow(QWidget):
         if self._drawing is not None:
             return
         may_be = shown_clones(self._booth.visits())[:MOST]
-        lacks = [one for one in may_be if one not in self._vain and stroll_of(one, result_of(one)) is None]
+        lacks = [one for one in may_be if one not in self._vain and read_walk_pictures(one, result_of(one)) is None]
         if lacks:
             folder, services = lacks[0], self._booth.session.services
             self._vain.add(folder)  # asked for once: who cannot be drawn keeps nobody waiting

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth.visitors.effort import effort_csv, effort_rows, middle_effort
+from cloner.booth.visitors.effort import effort_csv, effort_rows, median_effort
 from cloner.booth.visitors.visits import State
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
@@ -51,7 +51,7 @@ class StatisticsWindow(QDialog):
         """Fill the table."""
         self._booth.note_effort()
         visits = self._booth.visits()
-        seconds, clicks, drags = middle_effort(visits)
+        seconds, clicks, drags = median_effort(visits)
         told = translate("statistics", "{n} visitors; in the middle {s} s, {c} clicks, {d} drags each")
         self.summary.setText(told.format(n=len(visits), s=round(seconds), c=round(clicks), d=round(drags)))
         self.table.setHorizontalHeaderLabels(_titles())

@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
 )
 
 from cloner.booth.handover.sticks import Stick
-from cloner.booth.handover.takeaway import code_modules, free_name, link_text
-from cloner.booth.stage import inhabiting_clones
+from cloner.booth.handover.takeaway import free_name, link_text, qr_modules
+from cloner.booth.stage import scene_clones
 from cloner.booth.visitors.person_file import consent_when
 from cloner.errors import ClonerError
 from cloner_gui.canvas.photos.painting import pixmap_of
@@ -202,7 +202,7 @@ class TakeawayPage(QWidget):
     def _show_code(self) -> None:
         text = self.code_text()
         try:
-            modules = code_modules(text) if text else None
+            modules = qr_modules(text) if text else None
         except ClonerError as error:
             modules, text = None, str(error)
         self.code.setVisible(modules is not None)
@@ -220,7 +220,7 @@ class TakeawayPage(QWidget):
     def _told_scene(self) -> tuple[str, ...]:
         """Return in which scene the visitor's clone is, if it may be in one."""
         scene, folder = self._booth.settings.scene, self._booth.session.folder
-        if not scene or folder is None or folder not in inhabiting_clones(self._booth.visits()):
+        if not scene or folder is None or folder not in scene_clones(self._booth.visits()):
             return ()
         return (translate("takeaway", "In the scene “{scene}”, within seconds.").format(scene=scene),)
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
-from cloner.booth.handover.sticks import Stick, eject, plugged_in
+from cloner.booth.handover.sticks import Stick, eject, mounted_sticks
 from cloner.errors import ClonerError
 from cloner_gui.background.newest import newest
 from cloner_gui.background.worker import Task
@@ -75,7 +75,7 @@ class StickRow(QWidget):
             return
         if now != self._known:
             self._known = now
-            newest().ask(self, "sticks", plugged_in, self._take, self._give_up)
+            newest().ask(self, "sticks", mounted_sticks, self._take, self._give_up)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Look while it is seen."""

@@ -26,7 +26,7 @@ def source(tmp_path):
 
 def test_a_folder_arrives_with_every_byte_and_tells_how_far_it_is(source, tmp_path):
     told = []
-    target = copying.copied(source, tmp_path / "stick-7", lambda *one: told.append(one))
+    target = copying.copy_verified(source, tmp_path / "stick-7", lambda *one: told.append(one))
     assert (target / "clone.glb").read_bytes() == bytes(range(256)) * 9000
     assert (target / "previews" / "face.jpg").read_bytes() == b"face"
     assert [step for step, _ in told] == sorted(step for step, _ in told), "all is copied, then all is read back"
@@ -49,7 +49,7 @@ def test_a_stick_that_loses_what_is_written_on_it_is_found_out(source, tmp_path,
 
     monkeypatch.setattr(copying.os, "fsync", lie)
     with pytest.raises(ClonerError, match="reads differently"):
-        copying.copied(source, tmp_path / "stick-7", quiet)
+        copying.copy_verified(source, tmp_path / "stick-7", quiet)
     assert {path.name for path in tmp_path.iterdir()} == {"made"}
 
 
@@ -59,15 +59,15 @@ def test_stopped_in_the_middle_nothing_is_left(source, tmp_path):
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        copying.copied(source, tmp_path / "stick-7", stop)
+        copying.copy_verified(source, tmp_path / "stick-7", stop)
     assert {path.name for path in tmp_path.iterdir()} == {"made"}
 
 
 def test_killed_while_copying_there_is_no_half_file_and_the_next_copy_clears_up(source, tmp_path):
     code = (
-        "import sys, time; from pathlib import Path; from cloner.booth.handover.copying import copied\n"
+        "import sys, time; from pathlib import Path; from cloner.booth.handover.copying import copy_verified\n"
         "def slow(step, fraction): print(step, flush=True); time.sleep(0.3)\n"
-        "copied(Path(sys.argv[1]), Path(sys.argv[2]), slow)"
+        "copy_verified(Path(sys.argv[1]), Path(sys.argv[2]), slow)"
     )
     target = tmp_path / "stick-7"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
@@ -79,5 +79,5 @@ def test_killed_while_copying_there_is_no_half_file_and_the_next_copy_clears_up(
     process.wait()
     assert not target.exists()
     assert len(list(tmp_path.glob(".stick-7.partial-*"))) == 1
-    copying.copied(source, target, quiet)
+    copying.copy_verified(source, target, quiet)
     assert {path.name for path in tmp_path.iterdir()} == {"made", "stick-7"}

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from cloner.booth.events.day import days, days_csv
-from cloner.booth.photos.looking_table import Look, Trouble
-from cloner.booth.visitors import line
+from cloner.booth.events.day import days_csv, statistics_by_day
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
+from cloner.booth.visitors import waiting_line
 from cloner.booth.visitors.visits import State, Visit
 
 
@@ -42,13 +42,16 @@ VISITS = {
 }
 TRASHED = replace(visit(22, State.NONE), trashed="2026-11-22T12:00:00+00:00")
 LOOKS = {
-    Path("visitor-002"): {"a": Look("a", None, (Trouble.BLURRED, Trouble.DARK)), "b": Look("b", None, ())},
-    Path("visitor-005"): {"c": Look("c", None, (Trouble.BLURRED,))},
+    Path("visitor-002"): {
+        "a": PhotoCheck("a", None, (PhotoProblem.BLURRED, PhotoProblem.DARK)),
+        "b": PhotoCheck("b", None, ()),
+    },
+    Path("visitor-005"): {"c": PhotoCheck("c", None, (PhotoProblem.BLURRED,))},
 }
 
 
 def found():
-    return days(VISITS, lambda folder: LOOKS.get(folder, {}))
+    return statistics_by_day(VISITS, lambda folder: LOOKS.get(folder, {}))
 
 
 def test_the_last_day_comes_first_and_everything_is_counted_once():
@@ -57,16 +60,18 @@ def test_the_last_day_comes_first_and_everything_is_counted_once():
     assert (first.date, first.visitors, first.clones) == ("2026-11-21", 1, 1)
     assert sorted(last.waited_min) == [2.0, 10.0]
     assert (last.median_min, last.longest_min) == (6.0, 10.0)
-    assert last.photos == {Trouble.BLURRED: 2, Trouble.DARK: 1}
+    assert last.photos == {PhotoProblem.BLURRED: 2, PhotoProblem.DARK: 1}
     assert last.failures == {"nobody is seen": 1}
 
 
 def test_who_lies_in_the_trash_came_too():
     thrown = Path("trash/visitor-007")
     told = {**VISITS, thrown: TRASHED}
-    last, _ = days(told, lambda folder: {"d": Look("d", None, (Trouble.DARK,))} if folder == thrown else {})
+    last, _ = statistics_by_day(
+        told, lambda folder: {"d": PhotoCheck("d", None, (PhotoProblem.DARK,))} if folder == thrown else {}
+    )
     assert (last.visitors, last.clones, last.trashed) == (6, 3, 1)
-    assert last.photos == {Trouble.DARK: 1}
+    assert last.photos == {PhotoProblem.DARK: 1}
     assert ["2026-11-22", "in the trash", "", "1"] in list(csv.reader(io.StringIO(days_csv((last,)))))
 
 
@@ -83,11 +88,13 @@ def test_the_table_tells_numbers_and_nobodys_name():
 
 def test_what_is_not_known_is_not_counted():
     strange = {Path("x"): Visit(started="yesterday", state=State.CLONED, queued="2", finished="1")}
-    assert [(day.date, day.clones, day.waited_min) for day in days(strange, lambda _: {})] == [("", 1, ())]
-    assert days({}, lambda _: {}) == ()
+    assert [(day.date, day.clones, day.waited_min) for day in statistics_by_day(strange, lambda _: {})] == [("", 1, ())]
+    assert statistics_by_day({}, lambda _: {}) == ()
 
 
 def test_a_clone_that_is_asked_for_again_waits_anew():
-    done = line.cloned(line.asked(Visit(), "2026-11-22T10:00:00+00:00"), 30.0, "2026-11-22T10:01:00+00:00")
+    done = waiting_line.with_clone(
+        waiting_line.with_request(Visit(), "2026-11-22T10:00:00+00:00"), 30.0, "2026-11-22T10:01:00+00:00"
+    )
     assert done.finished
-    assert line.asked(done, "2026-11-22T11:00:00+00:00").finished == ""
+    assert waiting_line.with_request(done, "2026-11-22T11:00:00+00:00").finished == ""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner.booth.events import keeping
+from cloner.booth.events import retention
 from cloner.booth.events.agreed import agreed_terms, offered_licences
 from cloner.booth.events.event import (
     Event,
@@ -19,7 +19,7 @@ from cloner.booth.events.event import (
     visits,
     write_event,
 )
-from cloner.booth.visitors import effort, line
+from cloner.booth.visitors import effort, waiting_line
 from cloner.booth.visitors.person_file import (
     cm_from_feet,
     consent_given,
@@ -64,7 +64,7 @@ def test_broken_settings_are_told_by_the_name_of_their_file(tmp_path, text):
 def test_visitors_are_numbered_and_numbers_are_not_given_twice(tmp_path):
     first, second = new_visitor(tmp_path, "a"), new_visitor(tmp_path, "b")
     assert (first.name, second.name) == ("visitor-001", "visitor-002")
-    keeping.forget_visitors((first,), tmp_path)
+    retention.forget_visitors((first,), tmp_path)
     assert new_visitor(tmp_path, "c").name == "visitor-003"
     assert list(visits(tmp_path)) == [second, tmp_path / "visitor-003"]
     assert visits(tmp_path)[second].started == "b"
@@ -164,35 +164,41 @@ def test_a_consent_says_what_when_and_in_which_language():
 
 
 def test_who_asked_first_is_cloned_first():
-    asked = {Path("a"): line.asked(Visit(), "2"), Path("b"): line.asked(Visit(), "1"), Path("c"): Visit()}
-    assert line.waiting(asked) == (Path("b"), Path("a"))
-    assert line.waiting({Path("a"): line.cloned(asked[Path("a")], 30.0, "2")}) == ()
-    assert line.failed(asked[Path("a")], "dark").problem == "dark"
-    assert line.withdrawn(asked[Path("a")], True).state is State.CLONED
-    assert line.withdrawn(asked[Path("a")], False).state is State.NONE
+    asked = {
+        Path("a"): waiting_line.with_request(Visit(), "2"),
+        Path("b"): waiting_line.with_request(Visit(), "1"),
+        Path("c"): Visit(),
+    }
+    assert waiting_line.waiting(asked) == (Path("b"), Path("a"))
+    assert waiting_line.waiting({Path("a"): waiting_line.with_clone(asked[Path("a")], 30.0, "2")}) == ()
+    assert waiting_line.with_failure(asked[Path("a")], "dark").problem == "dark"
+    assert waiting_line.without_request(asked[Path("a")], True).state is State.CLONED
+    assert waiting_line.without_request(asked[Path("a")], False).state is State.NONE
 
 
 def test_the_time_left_follows_the_pace_of_the_clone_under_way():
-    usual = line.usual_seconds({Path("a"): Visit(clone_seconds=40.0), Path("b"): Visit(clone_seconds=60.0)})
+    usual = waiting_line.typical_seconds({Path("a"): Visit(clone_seconds=40.0), Path("b"): Visit(clone_seconds=60.0)})
     assert usual == 50.0
-    assert line.usual_seconds({}) == line.USUAL_S
-    assert line.seconds_left(0.0, 0.0, 50.0) == 50.0
-    assert line.seconds_left(0.9, 90.0, 50.0) == pytest.approx(5.0, abs=6.0), "a slow machine: nearly done all the same"
-    assert line.seconds_left(0.5, 25.0, 50.0, before=2) == pytest.approx(125.0)
-    assert line.seconds_left(1.0, 70.0, 50.0) == 0.0
-    late = [line.seconds_left(0.5, spent, 50.0) for spent in (20.0, 40.0, 80.0)]
+    assert waiting_line.typical_seconds({}) == waiting_line.USUAL_S
+    assert waiting_line.seconds_left(0.0, 0.0, 50.0) == 50.0
+    assert waiting_line.seconds_left(0.9, 90.0, 50.0) == pytest.approx(5.0, abs=6.0), (
+        "a slow machine: nearly done all the same"
+    )
+    assert waiting_line.seconds_left(0.5, 25.0, 50.0, before=2) == pytest.approx(125.0)
+    assert waiting_line.seconds_left(1.0, 70.0, 50.0) == 0.0
+    late = [waiting_line.seconds_left(0.5, spent, 50.0) for spent in (20.0, 40.0, 80.0)]
     assert all(left > 0.0 for left in late), "never nothing before the end"
 
 
 def test_effort_is_told_without_names(tmp_path):
     folder = new_visitor(tmp_path, "2026-11-21T10:00:00")
     write_person(folder, name="Anna", height_cm=None, consent="")
-    write_visit(folder, line.with_effort(read_visit(folder), 40.0, 12, 3))
+    write_visit(folder, waiting_line.with_effort(read_visit(folder), 40.0, 12, 3))
     told = effort.effort_csv(visits(tmp_path))
     assert told.splitlines()[1] == "visitor-001,2026-11-21 10:00,none,40,12,3,0"
     assert "Anna" not in told
-    assert effort.middle_effort(visits(tmp_path)) == (40.0, 12, 3)
-    assert effort.middle_effort({}) == (0.0, 0.0, 0.0)
+    assert effort.median_effort(visits(tmp_path)) == (40.0, 12, 3)
+    assert effort.median_effort({}) == (0.0, 0.0, 0.0)
 
 
 def test_whose_time_is_over_is_found_also_without_a_photo(tmp_path):
@@ -202,10 +208,10 @@ def test_whose_time_is_over_is_found_also_without_a_photo(tmp_path):
         os.utime(path, (NOW.timestamp() - 31 * 86400,) * 2)
     for path in new.iterdir():
         os.utime(path, (NOW.timestamp() - 29 * 86400,) * 2)
-    assert [one.identifier for one in keeping.overdue(tmp_path, 30, NOW)] == ["visitor-001"]
-    assert keeping.overdue(tmp_path, 0, NOW) == ()
+    assert [one.identifier for one in retention.overdue_data(tmp_path, 30, NOW)] == ["visitor-001"]
+    assert retention.overdue_data(tmp_path, 0, NOW) == ()
     (tmp_path / "notes.txt").write_text("Anna Long was here")
-    assert keeping.forget_visitors((old,), tmp_path) == ("notes.txt",)
+    assert retention.forget_visitors((old,), tmp_path) == ("notes.txt",)
     assert not old.exists()
     assert json.loads((new / "visit.json").read_text())["state"] == "none"
 
@@ -215,5 +221,5 @@ def test_a_lone_visitor_is_forgotten_without_looking_at_the_neighbours(tmp_path)
     folder.mkdir()
     write_person(folder, name="Anna Long", height_cm=None, consent="")
     (tmp_path / "diary.txt").write_text("Anna Long")
-    assert keeping.forget_visitors((folder,), None) == ()
+    assert retention.forget_visitors((folder,), None) == ()
     assert [path.name for path in tmp_path.iterdir()] == ["diary.txt"]

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.booth.events import keeping
+from cloner.booth.events import retention
 from cloner.booth.events.event import new_visitor, visitor_folders
 from cloner.booth.phone import parcel, server
-from cloner.booth.phone.certificate import own_certificate
-from cloner.booth.phone.limits import Budget
+from cloner.booth.phone.certificate import make_certificate
+from cloner.booth.phone.limits import RateLimit
 from cloner.booth.phone.page import WORDS, page, policy
-from cloner.booth.phone.tickets import Ticket, give_ticket, read_ticket, visitor_of
+from cloner.booth.phone.tickets import Ticket, issue_ticket, read_ticket, visitor_of
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import save_clone
@@ -57,7 +57,7 @@ def ask(phone, path, method="GET", context=None):
 
 def test_a_visitors_link_gives_the_page_and_its_files_and_nothing_else(fair, served):
     first, second = visitor_folders(fair)
-    token, other = give_ticket(first, NOW, 24).token, give_ticket(second, NOW, 24).token
+    token, other = issue_ticket(first, NOW, 24).token, issue_ticket(second, NOW, 24).token
     assert len(token) >= 22, "sixteen bytes of chance"
     assert token != other
     status, content, headers = ask(served, f"/{token}/")
@@ -74,21 +74,21 @@ def test_a_visitors_link_gives_the_page_and_its_files_and_nothing_else(fair, ser
 
 def test_a_link_ends_and_goes_with_the_visitor(fair, served):
     first, second = visitor_folders(fair)
-    token = give_ticket(first, NOW - timedelta(hours=25), 24).token
+    token = issue_ticket(first, NOW - timedelta(hours=25), 24).token
     assert ask(served, f"/{token}/")[0] == 404, "its hours are over"
-    fresh = give_ticket(first, NOW, 24).token
+    fresh = issue_ticket(first, NOW, 24).token
     assert fresh != token
     assert ask(served, f"/{fresh}/")[0] == 200
-    assert give_ticket(first, NOW, 24).token == fresh, "one link a visitor"
-    keeping.forget_visitors((first,), fair)
+    assert issue_ticket(first, NOW, 24).token == fresh, "one link a visitor"
+    retention.forget_visitors((first,), fair)
     assert ask(served, f"/{fresh}/")[0] == 404
     assert not [path for path in fair.rglob("*") if "001" in path.name], "the page's copies are gone too"
-    mine = give_ticket(second, NOW, 1)
+    mine = issue_ticket(second, NOW, 1)
     assert visitor_of(mine.token, visitor_folders(fair), NOW) == second
 
 
 def test_guessing_is_soon_refused_also_with_the_right_link(fair, served):
-    token = give_ticket(visitor_folders(fair)[0], NOW, 24).token
+    token = issue_ticket(visitor_folders(fair)[0], NOW, 24).token
     answers = [ask(served, f"/{number:022d}/")[0] for number in range(12)]
     assert answers[:10] == [404] * 10
     assert answers[10:] == [429, 429]
@@ -97,7 +97,7 @@ def test_guessing_is_soon_refused_also_with_the_right_link(fair, served):
 
 def test_a_budget_drips_full_again_and_forgets_who_was_quiet():
     clock = [0.0]
-    budget = Budget(3.0, 0.5, lambda: clock[0])
+    budget = RateLimit(3.0, 0.5, lambda: clock[0])
     assert [budget.spend("a") for _ in range(4)] == [True, True, True, False]
     assert budget.spend("b")
     clock[0] = 2.0
@@ -116,11 +116,11 @@ def test_nothing_listens_after_it_is_switched_off(fair):
 
 def test_an_encrypted_page_has_the_booths_own_certificate(fair):
     pytest.importorskip("cryptography")
-    keys = own_certificate(fair, "127.0.0.1")
+    keys = make_certificate(fair, "127.0.0.1")
     assert keys[1].stat().st_mode & 0o077 == 0
     phone = server.PhoneServer(lambda: visitor_folders(fair), "en", "127.0.0.1", 0, keys)
     try:
-        token = give_ticket(visitor_folders(fair)[0], NOW, 24).token
+        token = issue_ticket(visitor_folders(fair)[0], NOW, 24).token
         trusting = ssl.create_default_context(cafile=str(keys[0]))
         assert phone.link(token).startswith("https://127.0.0.1:")
         assert ask(phone, f"/{token}/", context=trusting)[0] == 200
@@ -133,7 +133,7 @@ def test_a_broken_ticket_opens_nothing(fair):
     for text in ("", "[]", '{"token": "", "expires": "2100-01-01T00:00:00+00:00"}', '{"token": "x"}'):
         (folder / "phone.json").write_text(text)
         assert read_ticket(folder) is None
-    assert isinstance(give_ticket(folder, NOW, 1), Ticket)
+    assert isinstance(issue_ticket(folder, NOW, 1), Ticket)
 
 
 def test_the_page_is_one_file_and_may_do_nothing_but_show_its_pictures():

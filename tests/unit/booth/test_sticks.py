@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from cloner.booth.handover.sticks import Stick, eject, plugged_in, sticks_of
+from cloner.booth.handover.sticks import Stick, eject, mounted_sticks, parse_lsblk
 from cloner.errors import ClonerError
 from kit.odd_programs import install
 
@@ -28,8 +28,8 @@ STICK = drive(
 
 
 def test_a_stick_is_found_and_the_computers_own_drive_is_not():
-    assert [str(one.mount) for one in sticks_of(told(DISK, STICK))] == ["/media/op/FAIR"]
-    stick = sticks_of(told(STICK))[0]
+    assert [str(one.mount) for one in parse_lsblk(told(DISK, STICK))] == ["/media/op/FAIR"]
+    stick = parse_lsblk(told(STICK))[0]
     assert (stick.label, stick.device, stick.drive) == ("FAIR", "/dev/sdb1", "/dev/sdb")
     assert stick.free_bytes == 12_000_000_000
 
@@ -37,23 +37,23 @@ def test_a_stick_is_found_and_the_computers_own_drive_is_not():
 def test_a_system_that_was_started_from_a_stick_is_no_stick():
     system = drive("sdc", rm=True, tran="usb", children=[
         drive("sdc1", rm=True, mounts=["/"]), drive("sdc2", rm=True, mounts=["/media/op/rest"])])  # fmt: skip
-    assert sticks_of(told(system)) == ()
+    assert parse_lsblk(told(system)) == ()
 
 
 def test_a_stick_without_parts_or_name_and_one_that_is_not_mounted():
     whole = drive("sdd", tran="usb", vendor="Kingston ", model="DataTraveler", mounts=["/mnt/x"], ro=True)
     resting = drive("sde", rm=True, tran="usb", children=[drive("sde1", rm=True)])
-    found = sticks_of(told(whole, resting))
+    found = parse_lsblk(told(whole, resting))
     assert [(one.label, one.read_only) for one in found] == [("Kingston DataTraveler", True)]
 
 
 def test_a_system_that_does_not_tell_is_told(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(ClonerError, match="does not tell"):
-        plugged_in()
+        mounted_sticks()
     install(tmp_path, monkeypatch, lsblk="echo not json")
     with pytest.raises(ClonerError, match="does not tell"):
-        plugged_in()
+        mounted_sticks()
 
 
 STICK_NOW = Stick(mount=None, label="FAIR", device="/dev/sdb1", drive="/dev/sdb", free_bytes=1, read_only=False)

@@ -9,7 +9,7 @@ import pytest
 
 from cloner import cloning
 from cloner.booth.handover import handing, takeaway
-from cloner.booth.visitors import kept
+from cloner.booth.visitors import cached_work
 from cloner.errors import Cancelled, ClonerError
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
@@ -38,7 +38,7 @@ def test_a_folder_with_the_chosen_formats(result, tmp_path):
 
 
 def test_the_window_looks_for_the_clone_where_cloning_puts_it():
-    assert kept.CLONE_FILE == cloning.CLONE_FILE
+    assert cached_work.CLONE_FILE == cloning.CLONE_FILE
 
 
 def test_one_zip_file(result, tmp_path):
@@ -81,12 +81,12 @@ def test_without_a_clone_there_is_nothing(tmp_path):
 
 def test_a_telephone_reads_the_code():
     text = "https://booth.example/take/visitor-001"
-    modules = takeaway.code_modules(text)
+    modules = takeaway.qr_modules(text)
     assert not modules[:4].any(), "the white border is there"
     picture = np.where(modules, 0, 255).astype(np.uint8).repeat(6, 0).repeat(6, 1)
     assert cv2.QRCodeDetector().detectAndDecode(picture)[0] == text
     with pytest.raises(ClonerError, match="too long"):
-        takeaway.code_modules("x" * 700)
+        takeaway.qr_modules("x" * 700)
 
 
 def test_the_code_says_the_events_link_for_the_visitor():

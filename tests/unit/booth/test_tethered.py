@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.booth.photos.camera import turned_file
+from cloner.booth.photos.camera import rotate_file
 from cloner.booth.photos.tethered import Tethered, cameras_of
 from cloner.errors import ClonerError
 from kit.odd_programs import install
@@ -84,5 +84,5 @@ def test_a_camera_that_shows_nothing_still_takes_photos_and_one_that_takes_none_
 
 def test_a_photo_of_a_camera_on_its_side_is_turned(tmp_path):
     data = jpeg(tmp_path / "x.jpg", (9, 9, 9), (60, 90)).read_bytes()
-    assert turned_file(data, 0) is data
-    assert Image.open(io.BytesIO(turned_file(data, 1))).size == (90, 60)
+    assert rotate_file(data, 0) is data
+    assert Image.open(io.BytesIO(rotate_file(data, 1))).size == (90, 60)

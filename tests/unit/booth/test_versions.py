@@ -26,7 +26,7 @@ def make(visitor, text, photos=PHOTOS):
 
 
 def again(visitor, text, photos=PHOTOS):
-    with versions.keeping_before(visitor, "visitor-001", photos):
+    with versions.keep_previous(visitor, "visitor-001", photos):
         make(visitor, text, photos)
 
 
@@ -39,13 +39,13 @@ def state(visitor):
 
 def test_the_clone_before_comes_back_with_its_values_and_goes_again(tmp_path):
     again(tmp_path, "first")
-    assert not versions.has_before(tmp_path), "there was none"
+    assert not versions.has_previous(tmp_path), "there was none"
     again(tmp_path, "second")
-    assert versions.has_before(tmp_path)
+    assert versions.has_previous(tmp_path)
     assert state(tmp_path) == ("second", "values of second")
-    versions.bring_before(tmp_path, "visitor-001")
+    versions.swap_with_previous(tmp_path, "visitor-001")
     assert state(tmp_path) == ("first", "values of first")
-    versions.bring_before(tmp_path, "visitor-001")
+    versions.swap_with_previous(tmp_path, "visitor-001")
     assert state(tmp_path) == ("second", "values of second")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["clone_before", "clones", "work"]
 
@@ -53,19 +53,19 @@ def test_the_clone_before_comes_back_with_its_values_and_goes_again(tmp_path):
 def test_a_clone_that_fails_leaves_both(tmp_path):
     again(tmp_path, "first")
     again(tmp_path, "second")
-    with pytest.raises(ZeroDivisionError), versions.keeping_before(tmp_path, "visitor-001", PHOTOS):
+    with pytest.raises(ZeroDivisionError), versions.keep_previous(tmp_path, "visitor-001", PHOTOS):
         raise ZeroDivisionError
     assert state(tmp_path)[0] == "second"
-    versions.bring_before(tmp_path, "visitor-001")
+    versions.swap_with_previous(tmp_path, "visitor-001")
     assert state(tmp_path)[0] == "first"
 
 
 def test_a_clone_of_other_photos_is_not_kept(tmp_path):
     again(tmp_path, "first")
     again(tmp_path, "second", {"body_front": "def"})
-    assert not versions.has_before(tmp_path)
+    assert not versions.has_previous(tmp_path)
     with pytest.raises(ClonerError, match="no clone before"):
-        versions.bring_before(tmp_path, "visitor-001")
+        versions.swap_with_previous(tmp_path, "visitor-001")
 
 
 class Killed(BaseException):
@@ -91,11 +91,11 @@ def test_an_exchange_that_is_killed_ends_with_both_clones_whole(tmp_path, monkey
         for owner, name in ((type(tmp_path), "rename"), (os, "replace"), (shutil, "rmtree")):
             patch.setattr(owner, name, dying(getattr(owner, name)))
         with pytest.raises(Killed):
-            versions.bring_before(tmp_path, "visitor-001")
-    versions.mend_versions(tmp_path, "visitor-001")
+            versions.swap_with_previous(tmp_path, "visitor-001")
+    versions.finish_swap(tmp_path, "visitor-001")
     now = state(tmp_path)
     assert now in (("first", "values of first"), ("second", "values of second"))
-    assert versions.has_before(tmp_path)
-    versions.bring_before(tmp_path, "visitor-001")
+    assert versions.has_previous(tmp_path)
+    versions.swap_with_previous(tmp_path, "visitor-001")
     assert {now[0], state(tmp_path)[0]} == {"first", "second"}
     assert state(tmp_path)[1] == f"values of {state(tmp_path)[0]}"

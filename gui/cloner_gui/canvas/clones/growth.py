@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from cloner.booth.growing import Shape, plain_clone
+from cloner.booth.body_preview import Shape, plain_clone
 from cloner.records.arrays import Array
 
 #: How long the body takes from one shape to the next, seconds; taste.

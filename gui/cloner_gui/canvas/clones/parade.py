@@ -1,7 +1,7 @@
 """The day's crowd on the visitors' screen: everybody who may be seen walks by, at their own height and pace.
 
-What is shown are pictures of each visitor's walk (`cloner.booth.strolling`), read beside the window's thread: a crowd
-costs a second of drawing a person once, and nothing in three dimensions while it is seen.
+What is shown are pictures of each visitor's walk (`cloner.booth.walk_pictures`), read in a thread of their own: drawing
+them takes a second per person, once, and nothing is rendered in 3-D while the crowd is shown.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage, QLinearGradient, QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QWidget
 
-from cloner.booth.strolling import FRAMES, GROUND, HIGH, PACE
+from cloner.booth.walk_pictures import FRAMES, GROUND, HIGH, PACE
 
 #: The newest so many walk: each holds 4 MB.
 MOST: Final = 12

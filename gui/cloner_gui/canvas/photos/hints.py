@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner.booth.visitors.worth import doubtful
+from cloner.booth.visitors.uncertain import uncertain_points
 from cloner.frames import ViewId
 from cloner.records.points import ANCHOR, ViewPoints
 from cloner_gui.canvas.photos.painting import CLONE, CORRECTED, LINKED, SURE, UNSURE
@@ -85,7 +85,7 @@ def told_point(points: ViewPoints | None, chosen: str) -> str:
 
 def told_rest(order: Sequence[Place], points: Mapping[ViewId, ViewPoints], now: Place) -> str:
     """Return how many doubtful points come after one in an order, and when the last of them was seen."""
-    left = {(view, name) for view, names in doubtful(points).items() for name in names}
+    left = {(view, name) for view, names in uncertain_points(points).items() for name in names}
     coming = sum(one in left for one in order[order.index(now) + 1 :])
     if now in left or coming:
         return translate("points", "{n} doubtful points are left after this one.").format(n=coming)

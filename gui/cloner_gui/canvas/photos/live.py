@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from cloner.booth.visitors.kept import known_values
+from cloner.booth.visitors.cached_work import cached_values
 from cloner.frames import ViewId
 from cloner.interactive.relinking import LiveOutline, Step, follow_corrections, live_outline
 from cloner.records.photos import PhotoSet
@@ -24,7 +24,7 @@ def ready_outlines(
     folder: Path, photos: PhotoSet, proposed: Mapping[ViewId, ViewPoints], progress: Callable[[str, float], None]
 ) -> Outlines:
     """Return the outlines of a visitor's body photos, ready to follow; none before nets have seen them."""
-    proposals = known_values(folder, photos).get("proposals")
+    proposals = cached_values(folder, photos).get("proposals")
     found: Outlines = {}
     for view, photo in photos.photos.items():
         if isinstance(proposals, Proposals) and view.is_body and view in proposals.views:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen, QPixmap, QPolygonF
 
-from cloner.booth.visitors.worth import DOUBTFUL_BELOW
+from cloner.booth.visitors.uncertain import DOUBTFUL_BELOW
 from cloner_gui.canvas.photos.lens import HALF_PX, Lens
 
 RADIUS: Final = 5.0  # taste: visible on a photo of 1,800 px shown at half size

@@ -13,7 +13,7 @@ from PySide6.QtCore import QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QComboBox, QDialog, QVBoxLayout, QWidget
 
-from cloner.booth.photos.camera import Camera, Webcam, shrunk, turned, turned_file
+from cloner.booth.photos.camera import Camera, Webcam, limit_height, rotate_file, rotate_quarters
 from cloner.booth.photos.tethered import Tethered
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -62,7 +62,7 @@ class Grabber(Kept):
                 if picture is None:
                     self.failed.emit(ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera"))
                     return
-                self.newest, self.small = picture, shrunk(picture, _LIVE_PX)
+                self.newest, self.small = picture, limit_height(picture, _LIVE_PX)
                 if self._shown.is_set():  # a slow window skips pictures instead of piling them up
                     self._shown.clear()
                     self.seen.emit()
@@ -228,7 +228,7 @@ class WebcamDialog(QDialog):
 
     def _show(self) -> None:
         if self._grabber.small is not None:
-            self.live.picture = turned(self._grabber.small, self._quarters)
+            self.live.picture = rotate_quarters(self._grabber.small, self._quarters)
             self.live.update()
         self._grabber.shown()
 
@@ -243,7 +243,7 @@ class WebcamDialog(QDialog):
 
     def _take(self, data: bytes) -> None:
         """Hand the photo over as the camera wrote it, turned where the picture is, and go on to the next view."""
-        self.taken.emit(turned_file(data, self._quarters), ViewId(self.views.currentData()))
+        self.taken.emit(rotate_file(data, self._quarters), ViewId(self.views.currentData()))
         self._next()
 
     def _next(self) -> None:

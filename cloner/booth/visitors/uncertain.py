@@ -1,4 +1,4 @@
-"""Points worth an operator's check before a visitor is cloned, and what they change."""
+"""Points worth an operator's check before a visitor is cloned, and what they affect."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ DOUBTFUL_BELOW: Final = 0.25
 MOST: Final = 3
 
 
-class Change(StrEnum):
-    """What a point changes of the clone."""
+class Effect(StrEnum):
+    """What a point affects in the clone."""
 
     HEIGHT = "height"
     FACE = "face"
@@ -24,8 +24,8 @@ class Change(StrEnum):
     BREADTH = "breadth"
 
 
-def doubtful(points: Mapping[ViewId, ViewPoints]) -> dict[ViewId, tuple[str, ...]]:
-    """Return the points that nobody placed and that are not sure, by photo; photos without any are left out."""
+def uncertain_points(points: Mapping[ViewId, ViewPoints]) -> dict[ViewId, tuple[str, ...]]:
+    """Return the uncertain points that nobody placed, by photo; photos without any are left out."""
     found = {
         view: tuple(
             name
@@ -37,10 +37,10 @@ def doubtful(points: Mapping[ViewId, ViewPoints]) -> dict[ViewId, tuple[str, ...
     return {view: names for view, names in found.items() if names}
 
 
-def change_of(view: ViewId, name: str) -> Change:
-    """Return what a point of a photo influences."""
+def effect_of_point(view: ViewId, name: str) -> Effect:
+    """Return what a point of a photo affects."""
     if name.startswith(("sole", "head_top", "heel", "toe")):
-        return Change.HEIGHT
+        return Effect.HEIGHT
     if view.is_face or name.startswith(("eye", "nose", "mouth", "lip", "chin", "ear", "brow", "pupil", "ala")):
-        return Change.FACE
-    return Change.POSE if name.startswith(("l_", "r_")) else Change.BREADTH
+        return Effect.FACE
+    return Effect.POSE if name.startswith(("l_", "r_")) else Effect.BREADTH

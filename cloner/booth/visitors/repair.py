@@ -1,4 +1,4 @@
-"""Repair of an event's damaged files from what remains; the damaged file is kept and reported.
+"""Repair of an event's damaged files from what can be read; the damaged file is kept and reported.
 
 A file of a newer version is not damaged: it is left as it is, and its error says so.
 """
@@ -37,8 +37,8 @@ Made = TypeVar("Made")
 _NEWER: Final = "it was written by a newer version"
 
 
-def keep_damaged(path: Path) -> Path:
-    """Move a damaged file aside, to ``NAME.damaged``, ``NAME.damaged-2`` and so on, and return where it lies.
+def move_damaged(path: Path) -> Path:
+    """Rename a damaged file to ``NAME.damaged``, ``NAME.damaged-2`` and so on, and return the new path.
 
     Raises
     ------
@@ -55,10 +55,10 @@ def keep_damaged(path: Path) -> Path:
         ) from error
 
 
-def mended(
+def repair_file(
     path: Path, read: Callable[[], object], salvage: Callable[[str], Made], write: Callable[[Made], object]
 ) -> str:
-    """Read a file and repair it where it is damaged; return a message, "" where nothing was wrong.
+    """Repair a file if it cannot be read; return a message, "" if it was intact.
 
     Parameters
     ----------
@@ -82,29 +82,29 @@ def mended(
         if error.message.startswith(_NEWER):
             raise
         text = _text(path)
-        aside = keep_damaged(path)
+        aside = move_damaged(path)
         write(salvage(text))
         log.warning("%s was damaged (%s); it is kept as %s", path.name, error.message, aside.name)
         return f"{path.name} was damaged and is put right from what could be read; the damaged file is kept beside it"
     return ""
 
 
-def mend_visitor(folder: Path) -> tuple[str, ...]:
-    """Repair a visitor's damaged small files, and return a message.
+def repair_visitor(folder: Path) -> tuple[str, ...]:
+    """Repair a visitor's small files, and return a message, "" if all were intact.
 
     Raises
     ------
     ClonerError
-        As :func:`mended`.
+        As :func:`repair_file`.
     """
     told = (
-        mended(
+        repair_file(
             folder / corrections_json.WHERE,
             lambda: read_corrections(folder),
-            corrections_left,
+            salvage_corrections,
             lambda left: write_corrections(folder, left),
         ),
-        mended(
+        repair_file(
             folder / PERSON_FILE,
             lambda: (read_person(folder), read_consent(folder)),
             lambda text: "\n".join(_whole_lines(text)) + "\n",
@@ -114,8 +114,8 @@ def mend_visitor(folder: Path) -> tuple[str, ...]:
     return tuple(one for one in told if one)
 
 
-def corrections_left(text: str) -> Corrections:
-    """Return the corrections that can still be read in a damaged text: whole points of known views."""
+def salvage_corrections(text: str) -> Corrections:
+    """Return the corrections that can still be read in a damaged file's text: whole points of known views."""
     points: dict[ViewId, dict[str, Correction]] = {}
     view: ViewId | None = None
     for found in re.finditer(r'"(\w+)"\s*:\s*(\{[^{}]*\}|\{)', text):
@@ -140,7 +140,7 @@ def _object(text: str) -> Any:
 
 
 def _whole_lines(text: str) -> Iterator[str]:
-    """Yield the lines of a damaged ``person.toml`` that say something which can stand alone."""
+    """Yield the lines of a damaged ``person.toml`` that can be read by themselves."""
     seen: set[str] = set()
     for line in text.splitlines():
         try:
@@ -161,7 +161,7 @@ def _fits(told: Mapping[str, Any]) -> bool:
 
 
 def _text(path: Path) -> str:
-    """Return the readable text of a file."""
+    """Return the text of a file as far as it can be decoded."""
     try:
         return read_text(path)
     except ClonerError:

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import FACE_VIEWS, ViewId
@@ -35,8 +35,8 @@ BURNT: Final = 0.12
 _WORK_PX: Final = 1000  # the person's height at which sharpness is measured
 
 
-def look(photo: Photo, wanted: ViewId | None) -> tuple[Look, Proposal | None]:
-    """Return the view of a photo, and the nets' findings in that view.
+def check_photo(photo: Photo, wanted: ViewId | None) -> tuple[PhotoCheck, Proposal | None]:
+    """Return a photo's view and problems, and the nets' results in that view.
 
     Parameters
     ----------
@@ -47,29 +47,29 @@ def look(photo: Photo, wanted: ViewId | None) -> tuple[Look, Proposal | None]:
     """
     people = DETECTORS.get("people")(photo.rgb)
     if len(people) != 1:
-        return Look(photo.digest, None, (Trouble.SEVERAL if people else Trouble.NOBODY,)), None
+        return PhotoCheck(photo.digest, None, (PhotoProblem.SEVERAL if people else PhotoProblem.NOBODY,)), None
     try:
         first = propose(replace(photo, view=ViewId.BODY_FRONT))  # its face is looked for, too
     except ClonerError:
-        return Look(photo.digest, None, (Trouble.NOBODY,)), None
+        return PhotoCheck(photo.digest, None, (PhotoProblem.NOBODY,)), None
     if is_lying(first):
-        return Look(photo.digest, None, (Trouble.LYING,)), None
+        return PhotoCheck(photo.digest, None, (PhotoProblem.LYING,)), None
     passes = frozenset(view for view in ViewId if _fits(photo, first, view))
-    shown = shown_view(first, passes)
+    shown = detect_view(first, passes)
     if shown is None:
-        return Look(photo.digest, None, (Trouble.NO_VIEW,)), None
+        return PhotoCheck(photo.digest, None, (PhotoProblem.NO_VIEW,)), None
     own = _in_view(photo, first, shown)
-    told = Look(photo.digest, shown, troubles_of(photo.rgb, own), passes)
+    told = PhotoCheck(photo.digest, shown, find_problems(photo.rgb, own), passes)
     return told, own if wanted in (None, shown) else _in_view(photo, first, wanted)
 
 
 def _in_view(photo: Photo, first: Proposal, view: ViewId) -> Proposal:
-    """Return the nets' findings in a view; ``first`` are those in `ViewId.BODY_FRONT`."""
+    """Return the nets' results in a view; ``first`` are those in `ViewId.BODY_FRONT`."""
     return first if view is ViewId.BODY_FRONT else propose(replace(photo, view=view))
 
 
 def is_lying(proposal: Proposal) -> bool:
-    """Return whether the person lies on the side, as in a photo that was not turned upright.
+    """Return whether the person lies on the side, as in a photo that was not rotated.
 
     A lying body is wider than high. Of a head alone the line from the eyes to the mouth tells, and so it does of a
     body whose pose was found: it leads down in every photo that is upright, whichever side it shows.
@@ -85,8 +85,8 @@ def is_lying(proposal: Proposal) -> bool:
     return tilted and (not whole or bool(np.ptp(columns) > np.ptp(rows)))
 
 
-def shown_view(proposal: Proposal, passes: frozenset[ViewId]) -> ViewId | None:
-    """Return the likeliest of the views that a photo passes as, by the checks that refuse exchanged photos.
+def detect_view(proposal: Proposal, passes: frozenset[ViewId]) -> ViewId | None:
+    """Return the likeliest of the views that a photo passes as, by the checks for exchanged photos.
 
     A body seen squarely can pass as front and as back: a face decides, and without one where the left shoulder is.
     """
@@ -110,7 +110,7 @@ def _fits(photo: Photo, proposal: Proposal, view: ViewId) -> bool:
     return True
 
 
-def troubles_of(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[Trouble, ...]:
+def find_problems(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[PhotoProblem, ...]:
     """Return problems of framing, light and sharpness of a photo, the worst first.
 
     Parameters
@@ -122,22 +122,22 @@ def troubles_of(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[Trouble, ..
     person = proposal.mask > 127
     found = []
     if is_cut(person, proposal):
-        found.append(Trouble.CUT)
+        found.append(PhotoProblem.CUT)
     if _height_share(person, proposal) < (SMALLEST_BODY if proposal.view.is_body else SMALLEST_HEAD):
-        found.append(Trouble.SMALL)
+        found.append(PhotoProblem.SMALL)
     grey = np.asarray(cv2.cvtColor(np.ascontiguousarray(rgb), cv2.COLOR_RGB2GRAY))
     values = _skin_or_person(grey, proposal, person)
     if np.median(values) < DARKEST:
-        found.append(Trouble.DARK)
+        found.append(PhotoProblem.DARK)
     if np.median(values) > BRIGHTEST or (values > 252).mean() > BURNT:
-        found.append(Trouble.BRIGHT)
+        found.append(PhotoProblem.BRIGHT)
     if edge_width(grey, person) > (BLUR_BODY if proposal.view.is_body else BLUR_FACE):
-        found.append(Trouble.BLURRED)
+        found.append(PhotoProblem.BLURRED)
     return tuple(found)
 
 
 def is_cut(person: NDArray[np.bool_], proposal: Proposal) -> bool:
-    """Return whether the photo's edge cuts what its view must show: all of a body, the head of a face."""
+    """Return whether the photo's border cuts what its view must show: the whole body, or a face's head."""
     height, width = person.shape
     if proposal.view.is_body:
         edges = (person[:EDGE_PX], person[-EDGE_PX:], person[:, :EDGE_PX], person[:, -EDGE_PX:])
@@ -148,7 +148,7 @@ def is_cut(person: NDArray[np.bool_], proposal: Proposal) -> bool:
 
 
 def _height_share(person: NDArray[np.bool_], proposal: Proposal) -> float:
-    """Return the share of the photo's height that body or head fill."""
+    """Return the share of the photo's height that the body or head takes."""
     rows = np.flatnonzero(person.any(axis=1))
     if not len(rows):
         return 0.0
@@ -159,13 +159,13 @@ def _height_share(person: NDArray[np.bool_], proposal: Proposal) -> float:
 
 
 def _skin_or_person(grey: NDArray[np.uint8], proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Return the brightness of skin, which clothes do not mislead; of the whole person where little skin is known."""
+    """Return the brightness of the skin, as clothes would mislead; of the whole person if little skin is known."""
     skin = person & shows(proposal.labels, *SKINS)
     return grey[skin] if skin.sum() > 0.02 * person.sum() else grey[person]
 
 
 def edge_width(grey: NDArray[np.uint8], person: NDArray[np.bool_]) -> float:
-    """Return the width of the sharpest edges in and around the person, share of the person's height.
+    """Return the width of the sharpest edges in and around the person, relative to the person's height.
 
     The height of a step over its steepest slope is its width; strong steps are compared with their slope one by one.
     """

@@ -1,4 +1,4 @@
-"""Retention: what an event holds of its visitors, for how long, and its deletion."""
+"""Retention: which data of its visitors an event stores, for how long, and their deletion."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from cloner.booth.events.event import ASIDE, TRASH, visitor_folders
-from cloner.booth.events.trash import over, thrown_away
+from cloner.booth.events.trash import expired, trashed_visitors
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import Holding, holding_of, older_than
 from cloner.personal_data.privacy import forget_all
@@ -18,27 +18,27 @@ from cloner.personal_data.privacy import forget_all
 _ALONE: Final = threading.Lock()
 
 
-def held(root: Path) -> tuple[Holding, ...]:
-    """Return the data held of every visitor of an event, in the trash and set aside too."""
-    folders = (*visitor_folders(root), *thrown_away(root), *_aside(root))
+def stored_data(root: Path) -> tuple[Holding, ...]:
+    """Return the data stored of every visitor of an event, including the trash and what is being deleted."""
+    folders = (*visitor_folders(root), *trashed_visitors(root), *_set_aside_folders(root))
     return tuple(_holding(folder) for folder in folders)
 
 
 def _holding(folder: Path) -> Holding:
-    """Return the data held of a visitor, set aside or not."""
+    """Return the stored data of a visitor in any of these places."""
     return holding_of(folder.name.removeprefix(ASIDE), folder, None)
 
 
-def overdue(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:
-    """Return the data past its retention period; nothing where an event keeps its visitors (0 days)."""
-    return older_than(held(root), days, now) if days > 0 else ()
+def overdue_data(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:
+    """Return the data past its retention period; nothing if the event keeps its visitors (0 days)."""
+    return older_than(stored_data(root), days, now) if days > 0 else ()
 
 
-def put_aside(folder: Path) -> Path:
-    """Take a visitor who is to be forgotten out of the event at once, and return where the files wait for their end.
+def set_aside(folder: Path) -> Path:
+    """Remove a visitor who is to be forgotten from the event at once, and return the folder that awaits deletion.
 
-    From now on nobody lists, shows, serves or clones them. `finish` deletes them, after a crash when the event is
-    opened again.
+    From now on nobody lists, shows, serves or clones them. `finish_deletions` deletes them, after a crash when the
+    event is opened again.
 
     Raises
     ------
@@ -53,8 +53,8 @@ def put_aside(folder: Path) -> Path:
         raise ClonerError("the visitor cannot be moved", "Check permissions and space", folder.name) from error
 
 
-def finish(root: Path) -> tuple[str, ...]:
-    """Delete everybody who was put aside and return the event's files that still speak of them.
+def finish_deletions(root: Path) -> tuple[str, ...]:
+    """Delete everybody who was set aside, and return the event's files that still mention them.
 
     It reads every file of the event and belongs on another thread.
 
@@ -64,23 +64,25 @@ def finish(root: Path) -> tuple[str, ...]:
         If not everything can be deleted.
     """
     with _ALONE:
-        return forget_visitors(_aside(root), root)
+        return forget_visitors(_set_aside_folders(root), root)
 
 
-def tidied(root: Path, trash_days: int, now: datetime) -> tuple[str, ...]:
-    """Finish deletions that were broken off, and delete who lay in the trash for so long; as :func:`finish`."""
-    for folder in over(root, trash_days, now):
-        put_aside(folder)
-    return finish(root)
+def tidy_up(root: Path, trash_days: int, now: datetime) -> tuple[str, ...]:
+    """Finish interrupted deletions and delete visitors who were in the trash for long enough; as
+    :func:`finish_deletions`.
+    """
+    for folder in expired(root, trash_days, now):
+        set_aside(folder)
+    return finish_deletions(root)
 
 
-def _aside(root: Path) -> list[Path]:
+def _set_aside_folders(root: Path) -> list[Path]:
     places = (root, root / TRASH)
     return [path for place in places for path in sorted(place.glob(f"{ASIDE}*")) if path.is_dir()]
 
 
 def forget_visitors(folders: Sequence[Path], root: Path | None) -> tuple[str, ...]:
-    """Delete visitors with everything derived and return the event's files that still speak of them.
+    """Delete visitors with all derived files, and return the event's files that still mention them.
 
     Parameters
     ----------

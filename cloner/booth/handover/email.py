@@ -6,8 +6,8 @@ from email.message import EmailMessage
 from email.policy import SMTP
 
 
-def draft(subject: str, text: str, picture_jpeg: bytes) -> bytes:
-    """Return an unsent message (.eml) with a picture attached; whom it goes to is typed in the mail program.
+def email_draft(subject: str, text: str, picture_jpeg: bytes) -> bytes:
+    """Return an unsent message (.eml) with a picture attached; the recipient is entered in the mail program.
 
     Parameters
     ----------

@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.booth.photos.looking import edge_width, look, troubles_of
-from cloner.booth.photos.looking_table import Look, Trouble
-from cloner.booth.photos.looks import keep_look, read_looks
+from cloner.booth.photos.check_cache import read_checks, store_check
+from cloner.booth.photos.photo_check import check_photo, edge_width, find_problems
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
 from cloner.records.points import Proposal
@@ -18,7 +18,7 @@ from cloner.records.points import Proposal
 def seen(samples):
     """Every photo of a sample in a busy background, looked at without its name."""
     photos = load_photos(samples / "boris" / "booth").photos
-    return {view: (photo, *look(replace(photo, view=ViewId.FACE_SIDE), None)) for view, photo in photos.items()}
+    return {view: (photo, *check_photo(replace(photo, view=ViewId.FACE_SIDE), None)) for view, photo in photos.items()}
 
 
 @pytest.mark.slow
@@ -32,10 +32,10 @@ def test_five_photos_without_names_find_their_views_and_are_good(seen):
 @pytest.mark.slow
 def test_a_photo_of_another_view_is_told(seen):
     photo = seen[ViewId.BODY_BACK][0]
-    told, _ = look(photo, ViewId.BODY_FRONT)
+    told, _ = check_photo(photo, ViewId.BODY_FRONT)
     assert told == seen[ViewId.BODY_BACK][1], "what a photo shows does not depend on where it is put"
     assert told.view is ViewId.BODY_BACK
-    assert Trouble.OTHER_VIEW in told.troubles_as(ViewId.BODY_FRONT)
+    assert PhotoProblem.OTHER_VIEW in told.troubles_as(ViewId.BODY_FRONT)
     assert told.troubles_as(ViewId.BODY_BACK) == ()
 
 
@@ -43,29 +43,29 @@ def test_a_photo_of_another_view_is_told(seen):
 @pytest.mark.parametrize(("view", "quarters"), [(ViewId.BODY_SIDE, 1), (ViewId.BODY_FRONT, 3), (ViewId.FACE_FRONT, 1)])
 def test_a_photo_that_lies_on_its_side_shows_no_view(seen, view, quarters):
     lying = replace(seen[view][0], rgb=np.ascontiguousarray(np.rot90(seen[view][0].rgb, quarters)))
-    told, proposal = look(lying, None)
+    told, proposal = check_photo(lying, None)
     assert told.view is None
-    assert told.troubles in ((Trouble.LYING,), (Trouble.NOBODY,))
+    assert told.troubles in ((PhotoProblem.LYING,), (PhotoProblem.NOBODY,))
     assert proposal is None
 
 
 @pytest.mark.slow
 def test_an_empty_room_shows_nobody(seen):
     room = replace(seen[ViewId.BODY_FRONT][0], rgb=np.full((900, 600, 3), 180, np.uint8))
-    assert look(room, None) == (Look(room.digest, None, (Trouble.NOBODY,)), None)
+    assert check_photo(room, None) == (PhotoCheck(room.digest, None, (PhotoProblem.NOBODY,)), None)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("view", [ViewId.BODY_FRONT, ViewId.FACE_FRONT])
 def test_bad_light_and_blur_are_told(seen, view):
     photo, _, proposal = seen[view]
-    assert troubles_of(photo.rgb, proposal) == ()
+    assert find_problems(photo.rgb, proposal) == ()
     softened = cv2.GaussianBlur(np.asarray(photo.rgb), (0, 0), 4.0)
-    assert troubles_of(softened, proposal) == (Trouble.BLURRED,)
+    assert find_problems(softened, proposal) == (PhotoProblem.BLURRED,)
     dark = (0.15 * photo.rgb).astype(np.uint8)
-    assert Trouble.DARK in troubles_of(dark, proposal)
+    assert PhotoProblem.DARK in find_problems(dark, proposal)
     burnt = np.clip(2.2 * photo.rgb.astype(float), 0, 255).astype(np.uint8)
-    assert Trouble.BRIGHT in troubles_of(burnt, proposal)
+    assert PhotoProblem.BRIGHT in find_problems(burnt, proposal)
 
 
 def figure(view=ViewId.BODY_FRONT, top=20, bottom=180, left=40, right=80):
@@ -87,19 +87,19 @@ def sharp(value=120):
     ("proposal", "wanted"),
     [
         (figure(), ()),
-        (figure(top=0), (Trouble.CUT,)),
-        (figure(bottom=200), (Trouble.CUT,)),
-        (figure(left=0), (Trouble.CUT,)),
-        (figure(top=100, bottom=180), (Trouble.SMALL,)),
+        (figure(top=0), (PhotoProblem.CUT,)),
+        (figure(bottom=200), (PhotoProblem.CUT,)),
+        (figure(left=0), (PhotoProblem.CUT,)),
+        (figure(top=100, bottom=180), (PhotoProblem.SMALL,)),
         (figure(ViewId.FACE_FRONT, top=20, bottom=200, left=0, right=120), ()),
-        (figure(ViewId.FACE_FRONT, top=0, bottom=200), (Trouble.CUT,)),
+        (figure(ViewId.FACE_FRONT, top=0, bottom=200), (PhotoProblem.CUT,)),
     ],
 )
 def test_the_person_must_be_whole_and_large_in_the_frame(proposal, wanted):
     if proposal.view.is_face:
         proposal.pose_px.flags.writeable = True
         proposal.pose_px[9:11, 1] = 80.0
-    found = [one for one in troubles_of(sharp(), proposal) if one is not Trouble.BLURRED]
+    found = [one for one in find_problems(sharp(), proposal) if one is not PhotoProblem.BLURRED]
     assert tuple(found) == wanted
 
 
@@ -114,11 +114,14 @@ def test_the_width_of_edges_follows_the_blur():
 
 def test_looks_are_kept_and_a_broken_file_is_looked_up_anew(tmp_path):
     views = frozenset((ViewId.FACE_SIDE, ViewId.FACE_FRONT))
-    one, two = Look("a", ViewId.FACE_SIDE, (Trouble.DARK, Trouble.CUT), views), Look("b", None, ())
-    keep_look(tmp_path, one)
-    keep_look(tmp_path, two)
-    assert read_looks(tmp_path) == {"a": one, "b": two}
+    one, two = (
+        PhotoCheck("a", ViewId.FACE_SIDE, (PhotoProblem.DARK, PhotoProblem.CUT), views),
+        PhotoCheck("b", None, ()),
+    )
+    store_check(tmp_path, one)
+    store_check(tmp_path, two)
+    assert read_checks(tmp_path) == {"a": one, "b": two}
     (tmp_path / "work" / "looks.json").write_text(
         '{"a": {"view": "moon", "troubles": []}, "b": {"view": null, "troubles": [], "passes": []}}'
     )
-    assert read_looks(tmp_path) == {"b": two}
+    assert read_checks(tmp_path) == {"b": two}

@@ -17,19 +17,19 @@ _TELLING: Final = 0.1
 
 
 def waiting(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
-    """Return the waiting visitors in order of request."""
+    """Return the waiting visitors in the order of their requests."""
     those = [(visit.queued, folder.name, folder) for folder, visit in visits.items() if visit.state is State.WAITING]
     return tuple(folder for _, _, folder in sorted(those))
 
 
-def usual_seconds(visits: Mapping[Path, Visit]) -> float:
-    """Return the usual duration of a clone here."""
+def typical_seconds(visits: Mapping[Path, Visit]) -> float:
+    """Return the median duration of a clone at this booth."""
     known = [visit.clone_seconds for visit in visits.values() if visit.clone_seconds > 0.0]
     return median(known) if known else USUAL_S
 
 
 def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 0) -> float:
-    """Return a visitor's estimated waiting time.
+    """Return the estimated time until a visitor's clone is finished.
 
     Parameters
     ----------
@@ -48,36 +48,36 @@ def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 
     return max(whole - spent_s, 0.02 * whole) * (share < 1.0) + before * usual_s
 
 
-def asked(visit: Visit, now: str) -> Visit:
+def with_request(visit: Visit, now: str) -> Visit:
     """Return the visit with a clone requested."""
     return replace(visit, state=State.WAITING, queued=now, finished="", problem="", declined=False)
 
 
-def cloned(visit: Visit, seconds: float, now: str) -> Visit:
-    """Return the visit with a clone that was finished now, after some seconds."""
+def with_clone(visit: Visit, seconds: float, now: str) -> Visit:
+    """Return the visit with a clone finished now, after some seconds."""
     return replace(visit, state=State.CLONED, clone_seconds=seconds, finished=now, problem="")
 
 
-def failed(visit: Visit, problem: str) -> Visit:
+def with_failure(visit: Visit, problem: str) -> Visit:
     """Return the visit with a clone that failed."""
     return replace(visit, state=State.FAILED, problem=problem)
 
 
-def withdrawn(visit: Visit, has_clone: bool) -> Visit:
-    """Return the visit without its place in the queue: somebody decided so, and is not asked again."""
+def without_request(visit: Visit, has_clone: bool) -> Visit:
+    """Return the visit removed from the queue by the operator; it is not queued again automatically."""
     return replace(visit, state=State.CLONED if has_clone else State.NONE, queued="", declined=True)
 
 
-def photos_changed(visit: Visit) -> Visit:
-    """Return the visit after its photos were changed: what went wrong with the old ones counts no more."""
+def with_changed_photos(visit: Visit) -> Visit:
+    """Return the visit after its photos were changed: earlier failures no longer count."""
     if visit.state is State.FAILED or visit.declined:
         state = State.NONE if visit.state is State.FAILED else visit.state
         return replace(visit, state=state, problem="", declined=False)
     return visit
 
 
-def is_owed(visit: Visit, *, has_front: bool, agreed: bool, is_current: bool) -> bool:
-    """Return whether a visitor who is left now has to be put into the queue, lest nobody ever clones them.
+def should_queue(visit: Visit, *, has_front: bool, agreed: bool, is_current: bool) -> bool:
+    """Return whether a visitor whose page is left must be queued automatically, as nobody else would request the clone.
 
     Parameters
     ----------
@@ -94,5 +94,5 @@ def is_owed(visit: Visit, *, has_front: bool, agreed: bool, is_current: bool) ->
 
 
 def with_effort(visit: Visit, seconds: float, clicks: int, drags: int) -> Visit:
-    """Return the visit with what it cost the operator since the last time."""
+    """Return the visit with the operator's effort since the last time added."""
     return replace(visit, seconds=visit.seconds + seconds, clicks=visit.clicks + clicks, drags=visit.drags + drags)

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
-from cloner.booth.photos.looking_table import Look, Trouble
-from cloner.booth.visitors.kept import WORK
+from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
+from cloner.booth.visitors.cached_work import WORK
 from cloner.frames import ViewId
 from cloner.project.atomic import write_text
 from cloner.project.texts import LARGEST_BYTES
@@ -17,8 +17,8 @@ from cloner.untrusted import read_untrusted
 LOOKS_FILE: Final = "looks.json"
 
 
-def read_looks(folder: Path) -> dict[str, Look]:
-    """Return cached findings by digest; missing, broken or outdated ones are computed again."""
+def read_checks(folder: Path) -> dict[str, PhotoCheck]:
+    """Return cached checks by digest; missing, damaged or outdated ones are computed again."""
     try:
         told = json.loads(read_untrusted(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
         found = [_look(digest, one) for digest, one in told.items()]
@@ -27,27 +27,29 @@ def read_looks(folder: Path) -> dict[str, Look]:
     return {look.digest: look for look in found if look is not None}
 
 
-def _look(digest: str, told: Mapping[str, object]) -> Look | None:
-    """Return one photo's entry; None where it is not as :func:`keep_look` writes it."""
+def _look(digest: str, told: Mapping[str, object]) -> PhotoCheck | None:
+    """Return one photo's entry; None if it is not as :func:`store_check` writes it."""
     try:
         view, troubles, passes = told["view"], told["troubles"], told["passes"]
         if not isinstance(troubles, list) or not isinstance(passes, list):
             return None
         views = frozenset(ViewId(one) for one in passes)
-        return Look(digest, ViewId(str(view)) if view else None, tuple(Trouble(one) for one in troubles), views)
+        return PhotoCheck(
+            digest, ViewId(str(view)) if view else None, tuple(PhotoProblem(one) for one in troubles), views
+        )
     except (ValueError, TypeError, KeyError):
         return None
 
 
-def keep_look(folder: Path, look: Look) -> None:
-    """Add what was found of one photo.
+def store_check(folder: Path, look: PhotoCheck) -> None:
+    """Add the check of one photo.
 
     Raises
     ------
     ClonerError
         If the folder cannot be written.
     """
-    looks = {**read_looks(folder), look.digest: look}
+    looks = {**read_checks(folder), look.digest: look}
     told = {
         one.digest: {"view": one.view, "troubles": list(one.troubles), "passes": sorted(one.passes)}
         for one in looks.values()

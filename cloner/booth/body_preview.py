@@ -1,4 +1,4 @@
-"""The body while it is cloned: vertex positions alone, small enough to be sent after every stage."""
+"""The body during cloning: vertex positions alone, small enough to be sent after every stage."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Shape:
 
 
 def shape_after(step: str, values: Mapping[str, Any]) -> Shape | None:
-    """Return the body as a stage leaves it; None after stages that leave it as it was."""
+    """Return the body after a stage; None after stages that do not change it."""
     if step == "phenotype":
         found = values["phenotype"]
         vertices = load_generic().shape(found.coefficients, found.stature_m)[0]
@@ -52,7 +52,7 @@ def shape_after(step: str, values: Mapping[str, Any]) -> Shape | None:
 
 
 def plain_clone(vertices_m: NDArray[np.floating[Any]]) -> Clone:
-    """Return a body (V, 3) as a clone without face, hair and texture, to be looked at."""
+    """Return a body (V, 3) as a clone without face, hair and texture, for display."""
     none = np.zeros(0, dtype=np.int32)
     grey = TextureAtlas(np.full((4, 4, 3), 128, np.uint8), np.zeros((4, 4), np.uint8))
     vertices = np.asarray(vertices_m, dtype=np.float64)

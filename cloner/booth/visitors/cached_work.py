@@ -1,4 +1,4 @@
-"""Earlier work on a visitor in the work folder, reused while the photos are unchanged."""
+"""Earlier results for a visitor, reused while the photos are unchanged."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ VALUES_FILE: Final = "values.npz"
 RESULTS: Final = "clones"
 
 
-def known_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:
-    """Return cached values of a visitor from earlier work on the same photos.
+def cached_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:
+    """Return the cached stage values of a visitor, if they were computed from the same photos.
 
     Either all values of the last clone, the photos with them, or the proposals alone; nothing where photos changed.
     """
     for name in (VALUES_FILE, PROPOSED_FILE):
         values = load_values(folder / WORK / name)
-        if values and values.pop("digests", None) == digests(photos):
+        if values and values.pop("digests", None) == photo_digests(photos):
             told = values if name == VALUES_FILE else {"proposals": values["proposals"]}
             return {**told, "photos": photos}
     return {}
 
 
 def proposed_points(folder: Path, photos: PhotoSet) -> dict[str, Any]:
-    """Return "body_points" and "face_points" as they were proposed for these very photos; nothing otherwise."""
+    """Return "body_points" and "face_points" as proposed for the same photos; empty otherwise."""
     values = load_values(folder / WORK / PROPOSED_FILE)
-    return values if values and values.pop("digests", None) == digests(photos) else {}
+    return values if values and values.pop("digests", None) == photo_digests(photos) else {}
 
 
-def digests(photos: PhotoSet) -> dict[str, str]:
+def photo_digests(photos: PhotoSet) -> dict[str, str]:
     """Return the digests of photos by view."""
     return {str(view): photo.digest for view, photo in photos.photos.items()}

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cloner.booth.growing import plain_clone, shape_after
+from cloner.booth.body_preview import plain_clone, shape_after
 from cloner.generic.load import load_generic
 from cloner.render import standard_camera
 

@@ -8,9 +8,9 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from cloner.booth.events.event import EVENT_FILE, FORMAT
-from cloner.booth.events.pin import kept_pin
-from cloner.booth.events.trash import throw_away
-from cloner.booth.inhabiting import finished_clones, number_asked
+from cloner.booth.events.pin import hash_pin
+from cloner.booth.events.trash import move_to_trash
+from cloner.booth.scene_access import finished_clones, pin_check
 from cloner.booth.stage import result_of
 from cloner.booth.visitors.visits import State, Visit, read_visit, write_visit
 from cloner.project.results import RESULT_MARK
@@ -42,15 +42,15 @@ def test_only_who_said_yes_to_the_scene_walks_in_it(tmp_path: Path) -> None:
     assert found() == (result_of(later), result_of(yes)), "the newest first"
     write_visit(yes, replace(read_visit(yes), inhabits=False))
     assert found() == (result_of(later),), "who says no later is out"
-    throw_away(later, datetime.now(UTC))
+    move_to_trash(later, datetime.now(UTC))
     assert found() == ()
 
 
 def test_a_plain_folder_of_results_and_its_number(tmp_path: Path) -> None:
     assert finished_clones(tmp_path) == tmp_path
-    assert number_asked(tmp_path) is None
-    event = event_in(tmp_path / "event", pin=kept_pin("42"))
-    opens = number_asked(event)
+    assert pin_check(tmp_path) is None
+    event = event_in(tmp_path / "event", pin=hash_pin("42"))
+    opens = pin_check(event)
     assert opens is not None
     assert opens("42")
     assert not opens("41")

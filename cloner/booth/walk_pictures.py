@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from cloner.booth.visitors.kept import CLONE_FILE
+from cloner.booth.visitors.cached_work import CLONE_FILE
 from cloner.booth.worker import Progress
 from cloner.errors import ClonerError
 from cloner.project.atomic import atomic_file
@@ -30,15 +30,15 @@ AZIMUTH_DEG: Final = 55.0  # taste: the face is seen, and where the walker goes
 PACE, HIGH, GROUND = "metres_a_second", "metres_high", "ground"
 
 
-def stroll_of(visitor: Path, result: Path) -> Path | None:
-    """Return the pictures of a visitor's walk; None where there are none of the clone as it is now."""
+def read_walk_pictures(visitor: Path, result: Path) -> Path | None:
+    """Return the pictures of a visitor's walk; None if there are none of the present clone."""
     path, made = visitor / FILE, result / CLONE_FILE
     known = path.is_file() and made.is_file() and path.stat().st_mtime >= made.stat().st_mtime
     return path if known else None
 
 
-def draw_stroll(visitor: Path, result: Path, progress: Progress) -> Path:
-    """Draw a visitor's clone walking and return the file.
+def draw_walk_pictures(visitor: Path, result: Path, progress: Progress) -> Path:
+    """Draw a visitor's walking clone and return the file.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def draw_stroll(visitor: Path, result: Path, progress: Progress) -> Path:
 
 
 def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[str, float]]:
-    """Return the (H, W * FRAMES, 4) pictures, and what the file tells of them."""
+    """Return the (H, W * FRAMES, 4) pictures, and their description in the file."""
     # drawing and scipy: the window knows where the pictures lie from its start, and draws none
     from cloner.generic.layers import clone_layers
     from cloner.geometry.cameras.viewpoints import framing_camera

@@ -1,4 +1,4 @@
-"""Problems that can be detected as soon as a photo is taken."""
+"""Problems of a photo that can be detected as soon as it is taken."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from enum import StrEnum
 from cloner.frames import ViewId
 
 
-class Trouble(StrEnum):
+class PhotoProblem(StrEnum):
     """What is wrong with a photo."""
 
     NOBODY = "nobody"
@@ -24,8 +24,8 @@ class Trouble(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
-    """What a photo shows, wherever it is put.
+class PhotoCheck:
+    """What a photo shows, whichever view it is assigned to.
 
     Attributes
     ----------
@@ -41,11 +41,11 @@ class Look:
 
     digest: str
     view: ViewId | None
-    troubles: tuple[Trouble, ...]
+    troubles: tuple[PhotoProblem, ...]
     passes: frozenset[ViewId] = field(default=frozenset())
 
-    def troubles_as(self, view: ViewId | None) -> tuple[Trouble, ...]:
-        """Return the photo's problems as one view; None for a photo without a place."""
+    def troubles_as(self, view: ViewId | None) -> tuple[PhotoProblem, ...]:
+        """Return the photo's problems as one view's; None for a photo without a view."""
         if view is None or self.view is None or view in (self.passes | {self.view}):
             return self.troubles
-        return (Trouble.OTHER_VIEW, *self.troubles)
+        return (PhotoProblem.OTHER_VIEW, *self.troubles)
