@@ -26,9 +26,9 @@ from typing import Any
 
 import numpy as np
 
-from cloner.scenes.served.living import Living
+from cloner.scenes.served.living import RunningScene
 from cloner.scenes.served.newcomers import finished_in
-from cloner.scenes.served.serving import going_on, served
+from cloner.scenes.served.serving import advancing, served
 
 EVERY_S, CUT_EVERY_S, OVER_S, PAGES = 5.0, 60.0, 1.5, 3
 SELDOM = """(() => { const once = draw; let last = -1e9;
@@ -46,7 +46,7 @@ def heap_mib(page: Any) -> float:
     return float(used["usedSize"] + used.get("backingStorageSize", 0)) / 2**20
 
 
-def shared(scene: Living, pages: list[Any], seconds: float) -> list[str]:
+def shared(scene: RunningScene, pages: list[Any], seconds: float) -> list[str]:
     """Return lines that tell how often all pages agreed, how long links took to be back, and heaps."""
     agreed, asked, back, digest = 0, 0, [], hashlib.sha256()
     heaps = [[heap_mib(page)] for page in pages]
@@ -79,7 +79,7 @@ def shared(scene: Living, pages: list[Any], seconds: float) -> list[str]:
     ]
 
 
-def arrived(scene: Living, page: Any, photos: Path, hot: Path) -> str:
+def arrived(scene: RunningScene, page: Any, photos: Path, hot: Path) -> str:
     """Return a line that tells how long photographs take until their clone walks in the scene."""
     over = threading.Event()
 
@@ -115,9 +115,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name, ExitStack() as stack:
         hot = Path(name) / "hot"
         hot.mkdir()
-        scene = Living(asked.built, partial(finished_in, hot), print)
+        scene = RunningScene(asked.built, partial(finished_in, hot), print)
         url = stack.enter_context(served(scene, bool))
-        stack.enter_context(going_on(scene))
+        stack.enter_context(advancing(scene))
         pages = [stack.enter_context(browser(Path(name) / f"profile{k}")) for k in range(PAGES)]
         for page in pages:
             page._ask("Emulation.setDeviceMetricsOverride", width=160, height=90, deviceScaleFactor=1, mobile=False)

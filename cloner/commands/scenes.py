@@ -90,10 +90,10 @@ def _serve(
 ) -> None:
     """Show a built scene in a browser of this machine; finished clones come into it. Ctrl+C ends it."""
     from cloner.booth.scene_access import finished_clones, pin_check
-    from cloner.scenes.served.lending import lent_to
+    from cloner.scenes.served.lending import accept_lent_clones
     from cloner.scenes.served.serving import serve_folder
 
-    opens, way = pin_check(clones), lent_to if lent else None
+    opens, way = pin_check(clones), accept_lent_clones if lent else None
     serve_folder(built, finished_clones(clones), opens, host=host, port=port, lent=way, said=at_once)
 
 

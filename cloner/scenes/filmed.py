@@ -23,13 +23,13 @@ from cloner.motion.face.sound import wav_bytes
 from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import atomic_file, result_folder, safe_output
 from cloner.records.arrays import Array
-from cloner.scenes.films.hearing import RATE_HZ, Ear, heard
+from cloner.scenes.films.hearing import RATE_HZ, Ear, mix_stereo
 from cloner.scenes.films.sequence import read_sequence
-from cloner.scenes.films.staged import acted_by
-from cloner.scenes.films.steps import steps_of
-from cloner.scenes.films.voices import Voices, voices_of
-from cloner.scenes.inhabited import room_parts, sounding, views_in
-from cloner.scenes.written import light_in, room_in, sound_in
+from cloner.scenes.films.staged import compile_film
+from cloner.scenes.films.steps import footsteps
+from cloner.scenes.films.voices import Voices, read_voices
+from cloner.scenes.inhabited import add_sound, page_views, room_parts
+from cloner.scenes.written import read_built_room, read_light, read_room_sound
 from cloner.vision.photographs.films import FORMATS, png_text, write_film
 
 Pixels = NDArray[np.uint8]
@@ -43,7 +43,7 @@ DIGITS: Final = 5
 def film_file(
     source: Path, room: Path, pack: Path, out: Path | None, page: Path | None, progress: Progress = no_progress
 ) -> list[str]:
-    """Write a film, and a page that plays it; return what to say of it.
+    """Write a film, and a page that plays it; return a report.
 
     Parameters
     ----------
@@ -73,13 +73,13 @@ def film_file(
     if page is not None and page.resolve() == pack.resolve():
         raise ClonerError("the pack would be replaced by what is made of it", "Choose another --page folder", page.name)
     facts = read_facts(pack)
-    built = room_in(room)
-    parts = sounding(room_parts(built, *light_in(room), room.name), sound_in(room, built))
+    built = read_built_room(room)
+    parts = add_sound(room_parts(built, *read_light(room), room.name), read_room_sound(room, built))
     if film.speeches and "faces" not in facts:
         hint = "Make it with cloner crowd --faces"
         raise ClonerError("nobody in the pack can speak", hint, "the film")
-    said = voices_of(film, source.parent)
-    acted, staging = acted_by(film, read_stock(pack, facts), facts["people"], progress)
+    said = read_voices(film, source.parent)
+    acted, staging = compile_film(film, read_stock(pack, facts), facts["people"], progress)
     told = {"title": film.title, "seconds": film.seconds, "size_px": list(film.size_px), "rate_hz": film.rate_hz}
     lines = [
         f"{film.title or source.stem}: {film.seconds:g} s, {len(film.actors)} actors, {len(staging['shots'])} shots"
@@ -87,11 +87,11 @@ def film_file(
     with tempfile.TemporaryDirectory() as folder:
         staged = page if page is not None else Path(folder) / "staged"
         write_acted(
-            pack, facts, staged, acted, film.seconds, views_in(built.plan), parts, staging | {"film": told},
+            pack, facts, staged, acted, film.seconds, page_views(built.plan), parts, staging | {"film": told},
             spoken=said[0] if said else None,
         )  # fmt: skip
         if out is not None:
-            _draw(staged, out, said[1] if said else None, sound_in(room, built), progress)
+            _draw(staged, out, said[1] if said else None, read_room_sound(room, built), progress)
     return [
         *lines,
         *([str(out)] if out is not None else []),
@@ -102,14 +102,14 @@ def film_file(
 def _draw(
     pack: Path, out: Path, voices: Voices | None, echo: tuple[bytes, list[float]] | None, progress: Progress
 ) -> None:
-    """Draw a staged pack's film into a file, or into a folder of pictures, with its speech."""
+    """Render a staged pack's film into a file, or into a folder of pictures, with its speech."""
     facts = read_facts(pack)
     told = facts["staging"]["film"]
     acted, staging = read_acted(pack, facts), staging_of(facts)
     sound = None
     if staging:
-        sources = [*(voices.sources() if voices else ()), *steps_of(acted, staging, told["seconds"])]
-        sound = heard(sources, told["seconds"], _ear(staging, acted), echo) if sources else None
+        sources = [*(voices.sources() if voices else ()), *footsteps(acted, staging, told["seconds"])]
+        sound = mix_stereo(sources, told["seconds"], _ear(staging, acted), echo) if sources else None
     theatre = Theatre(read_stock(pack, facts))
     try:
         painter = Painter(
@@ -133,7 +133,7 @@ def _draw(
 
 
 def _ear(staging: Staging, acted: Acted) -> Ear:
-    """Return the film's camera position, its right direction, and somebody's head at a time."""
+    """Return functions of time: the camera's position and its right direction, and a person's head."""
 
     def ear(now: float, who: int) -> tuple[Array, Array, Array]:
         rows = staging.rows(acted, now)

@@ -21,16 +21,16 @@ from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, no_progress
-from cloner.scenes.building.charts import charts_of
-from cloner.scenes.building.gltf import meshes_of
-from cloner.scenes.building.looks import sheet_of
-from cloner.scenes.building.pieces import plain_of
+from cloner.scenes.building.charts import make_charts
+from cloner.scenes.building.gltf import make_meshes
+from cloner.scenes.building.looks import texture_sheet
+from cloner.scenes.building.pieces import block_quads
 from cloner.scenes.building.plan import Block, Plan
 from cloner.scenes.building.solids import Panel, Room
-from cloner.scenes.building.walkable import walkable_of
-from cloner.scenes.films.staged import with_statues
-from cloner.scenes.lighting.direct import sun_way
-from cloner.scenes.written import light_in, room_in, sound_in
+from cloner.scenes.building.walkable import make_walkable
+from cloner.scenes.films.staged import add_statues
+from cloner.scenes.lighting.direct import sun_direction
+from cloner.scenes.written import read_built_room, read_light, read_room_sound
 
 #: How the page's textures are kept: taste, no blocks at arm's length.
 LOOK_QUALITY: Final = 88
@@ -41,7 +41,7 @@ NEVER_S: Final = 1e5
 def build_folder(
     folder: Path, walk: Path, pack: Path, out: Path, *, seconds: float, seed: int, progress: Progress = no_progress
 ) -> list[str]:
-    """Write a pack whose clones act in a lit room; return what to say of it.
+    """Write a pack whose clones act in a lit room; return a report.
 
     Parameters
     ----------
@@ -55,14 +55,14 @@ def build_folder(
     ClonerError
         If the room is not lit, or what :func:`~cloner.acting.written.bake_file` refuses.
     """
-    room = room_in(folder)
-    things = things_in(room.plan, walk)
-    parts = room_parts(room, *light_in(folder), folder.name, things if "statues" in read_facts(pack) else ())
-    parts = sounding(parts, sound_in(folder, room))
+    room = read_built_room(folder)
+    things = scenario_blocks(room.plan, walk)
+    parts = room_parts(room, *read_light(folder), folder.name, things if "statues" in read_facts(pack) else ())
+    parts = add_sound(parts, read_room_sound(folder, room))
     return bake_file(walk, pack, out, seconds=seconds, seed=seed, room=parts, progress=progress)
 
 
-def things_in(plan: Plan, walk: Path) -> tuple[Block, ...]:
+def scenario_blocks(plan: Plan, walk: Path) -> tuple[Block, ...]:
     """Return the blocks of a plan that stand for a scenario's things."""
     names = things_of(walk)
     return tuple(one for one in plan.blocks if one.name in names and not one.pillar)
@@ -79,11 +79,11 @@ def room_parts(
     light : bytes
         The map's PNG file, in which white stands for ``brightest``.
     brightest, probes, where
-        As of :func:`cloner.scenes.written.light_in`, and what to call it.
+        As of :func:`cloner.scenes.written.read_light`, and what to call it.
     statues : sequence of Block
         Blocks in whose stead clones in stone stand; their shadows stay.
     """
-    charts, size = charts_of(room)
+    charts, size = make_charts(room)
     try:
         with Image.open(io.BytesIO(light), formats=["PNG"]) as image:
             if image.size != size:
@@ -91,36 +91,36 @@ def room_parts(
             pixels = np.asarray(image.convert("RGBA"))
     except (OSError, ValueError) as error:
         raise ClonerError("the light map is not this room's", "Make it with cloner scene light", where) from error
-    boxes = np.array([plain_of(one)[1][0] for one in statues]).reshape(-1, 2, 3)
-    meshes = meshes_of(tuple(one for one in charts if not _within(one.panel, boxes)), size, room.looks)
+    boxes = np.array([block_quads(one)[1][0] for one in statues]).reshape(-1, 2, 3)
+    meshes = make_meshes(tuple(one for one in charts if not _within(one.panel, boxes)), size, room.looks)
     corners = [
         np.column_stack([one.places, one.uv, one.light_uv, np.full(len(one.places), k)])[one.triangles.ravel()]
         for k, one in enumerate(meshes)
     ]
-    walkable, ground_low, ground_step = walkable_of(room)
+    walkable, ground_low, ground_step = make_walkable(room)
     arrays: dict[str, NDArray[Any]] = {
         "corners": np.concatenate(corners).astype(np.float32), "probes": probes.light, "sun": probes.sun,
         "walkable": walkable,
     }  # fmt: skip
     data, told = packed(arrays)
-    sheet = sheet_of([room.looks[one.look] for one in meshes])
+    sheet = texture_sheet([room.looks[one.look] for one in meshes])
     sun = room.plan.sun
     facts = {
         "name": room.plan.name, "arrays": told, "low": probes.low.tolist(), "heights": probes.heights.tolist(),
         "step": probes.step, "shape": list(probes.sun.shape), "brightest": brightest,
         "ground_low": list(ground_low), "ground_step": ground_step,
         "sky_light": list(room.plan.sky.light), "ground": room.looks[room.plan.floors[-1].look].albedo.tolist(),
-        "sun_way": sun_way(sun).tolist() if sun else [0.0, 1.0, 0.0],
+        "sun_way": sun_direction(sun).tolist() if sun else [0.0, 1.0, 0.0],
         "sun_light": list(sun.light) if sun else [0.0] * 3,
     }  # fmt: skip
     files = {ROOM_FILE: data, LOOKS_FILE: webp(sheet, LOOK_QUALITY), LIGHT_FILE: webp(pixels[..., :3], None),
              SUN_FILE: webp(pixels[..., 3], None)}  # fmt: skip
     stand = partial(_with_statues, room.plan, {one.name: one for one in statues}) if statues else None
-    return RoomParts(files, facts, views_in(room.plan), stand)
+    return RoomParts(files, facts, page_views(room.plan), stand)
 
 
-def sounding(parts: RoomParts, sound: tuple[bytes, list[float]] | None) -> RoomParts:
-    """Return a room with its echo and where that is heard."""
+def add_sound(parts: RoomParts, sound: tuple[bytes, list[float]] | None) -> RoomParts:
+    """Return a room with its echo and the area where it applies."""
     if sound is None:
         return parts
     return replace(parts, files={**parts.files, ECHO_FILE: sound[0]}, facts={**parts.facts, "echo": sound[1]})
@@ -136,7 +136,7 @@ def _with_statues(
     plan: Plan, blocks: Mapping[str, Block], walk: Trajectories, acted: Acted, facts: dict[str, Any], pack: Path,
     seconds: float,
 ) -> tuple[Acted, Mapping[str, Any]]:  # fmt: skip
-    """Return what is acted with a clone in stone for each thing, facing the middle of the floor."""
+    """Return the actions with a clone in stone for each thing, facing the middle of the floor."""
     floor = max(plan.floors, key=lambda one: (one.high[0] - one.low[0]) * (one.high[1] - one.low[1]))
     rows = []
     for name, block in blocks.items():
@@ -145,12 +145,12 @@ def _with_statues(
         heading = np.arctan2(0.0, -away[1]) if along else np.arctan2(away[0], 0.0)
         wakes = next((when for when, what in walk.told if what == f"{name} awakens"), NEVER_S)
         rows.append((block.at[0], -block.at[1], block.low, float(heading), wakes))
-    staged, told = with_statues(acted, read_stock(pack, facts), rows, seconds)
+    staged, told = add_statues(acted, read_stock(pack, facts), rows, seconds)
     return staged, {**told, "things": list(blocks)}
 
 
-def views_in(plan: Plan) -> dict[str, list[list[float]]]:
-    """Return the cameras of the page's views: inside the largest floor, and before the door."""
+def page_views(plan: Plan) -> dict[str, list[list[float]]]:
+    """Return the cameras of the page's views: inside the largest floor, and in front of the door."""
     floor = max(plan.floors, key=lambda one: (one.high[0] - one.low[0]) * (one.high[1] - one.low[1]))
     (x0, y0), (x1, y1) = floor.low, floor.high
     x, wide, deep = (x0 + x1) / 2.0, x1 - x0, y1 - y0

@@ -15,16 +15,16 @@ from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.motion.face.sound import wav_bytes
 from cloner.pipeline import Progress, no_progress
 from cloner.project.atomic import safe_output
-from cloner.scenes.building.charts import charts_of
-from cloner.scenes.building.gltf import meshes_of, room_glb, to_bytes
-from cloner.scenes.building.photos import kept, photos_beside, photos_kept
-from cloner.scenes.building.pieces import plan_place
+from cloner.scenes.building.charts import make_charts
+from cloner.scenes.building.gltf import make_meshes, room_glb, to_bytes
+from cloner.scenes.building.photos import read_plan_photos, read_stored_photos, rectified_files
+from cloner.scenes.building.pieces import from_plan
 from cloner.scenes.building.reading import read_plan
-from cloner.scenes.building.solids import Room, room_of
+from cloner.scenes.building.solids import Room, build_room
 from cloner.scenes.building.x3d import room_x3d
-from cloner.scenes.lighting.echoes import EAR_M, RATE_HZ, echo_at
-from cloner.scenes.lighting.light import lit_room
-from cloner.scenes.lighting.probes import probes_of
+from cloner.scenes.lighting.echoes import EAR_M, RATE_HZ, impulse_response
+from cloner.scenes.lighting.light import light_room
+from cloner.scenes.lighting.probes import make_probes
 from cloner.untrusted import UnsuitableFile, read_untrusted
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
@@ -40,7 +40,7 @@ _ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3, "brig
 
 
 def make_folder(source: str, out: Path) -> list[str]:
-    """Write a plan's room into a folder; return what to say of it.
+    """Write a plan's room into a folder; return a report.
 
     Raises
     ------
@@ -48,15 +48,15 @@ def make_folder(source: str, out: Path) -> list[str]:
         If the plan or the folder is no good.
     """
     plan, text = read_plan(source)
-    photos = photos_beside(plan, Path(source).parent)
-    room = room_of(plan, photos)
+    photos = read_plan_photos(plan, Path(source).parent)
+    room = build_room(plan, photos)
     safe_output(out)
     data = room_glb(room)
     write_bytes(out / PLAN_FILE, text.encode("utf-8"))
     write_bytes(out / ROOM_FILE, data)
-    for name, picture in kept(plan, photos).items():
+    for name, picture in rectified_files(plan, photos).items():
         write_bytes(out / name, picture)
-    triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room), room.looks))
+    triangles = sum(len(one.triangles) for one in make_meshes(*make_charts(room), room.looks))
     floor = sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors)
     return [
         f"{plan.name}: {floor:.0f} m2 of floor, {triangles} triangles, {len(data) / 1e3:.0f} kB",
@@ -65,10 +65,10 @@ def make_folder(source: str, out: Path) -> list[str]:
 
 
 def light_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
-    """Light a folder's room: its file gets light maps, and probes lie beside it; return what to say of it."""
-    room = room_in(folder)
-    lit = lit_room(room, progress=progress)
-    probes = probes_of(room, lit, progress)
+    """Compute light maps and probes of a folder's room; return a report."""
+    room = read_built_room(folder)
+    lit = light_room(room, progress=progress)
+    probes = make_probes(room, lit, progress)
     soft = np.maximum(lit.map - lit.sun * (room.plan.sun.light if room.plan.sun else (0.0,) * 3), 0.0)
     brightest = max(float(np.quantile(soft.max(axis=2), 1.0 - CUT_OFF)), 1e-3)
     parts = np.dstack([to_bytes(soft.astype(np.float32), brightest), np.rint(lit.sun * 255.0).astype(np.uint8)])
@@ -90,18 +90,18 @@ def light_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
 
 
 def sound_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
-    """Work out how a folder's room sounds in the middle of each floor, as WAV files; return what to say of it.
+    """Compute the acoustics of a folder's room in the middle of each floor, as WAV files; return a report.
 
     Raises
     ------
     ClonerError
         If there is no room, or a file cannot be written.
     """
-    room = room_in(folder)
+    room = read_built_room(folder)
     lines = []
     for number, floor in enumerate(room.plan.floors, start=1):
         middle = ((floor.low[0] + floor.high[0]) / 2.0, (floor.low[1] + floor.high[1]) / 2.0)
-        echo = echo_at(room, plan_place(*middle, EAR_M))
+        echo = impulse_response(room, from_plan(*middle, EAR_M))
         name = f"floor_{number}.wav"
         write_bytes(folder / SOUND_FOLDER / name, wav_bytes(echo.samples, RATE_HZ))
         lines.append(f"{name}: at {middle[0]:g}, {middle[1]:g}: falls by 60 dB in {echo.rings_s:.2f} s")
@@ -109,7 +109,7 @@ def sound_folder(folder: Path, progress: Progress = no_progress) -> list[str]:
     return [*lines, str(folder / SOUND_FOLDER)]
 
 
-def sound_in(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
+def read_room_sound(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
     """Return the acoustics of the largest floor of a folder's room, and its bounds (x, z, x, z); None
     if not computed.
     """
@@ -123,7 +123,7 @@ def sound_in(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
     return data, [floor.low[0], -floor.high[1], floor.high[0], -floor.low[1]]
 
 
-def room_in(folder: Path) -> Room:
+def read_built_room(folder: Path) -> Room:
     """Return the room of a folder that ``cloner scene make`` wrote.
 
     Raises
@@ -134,10 +134,10 @@ def room_in(folder: Path) -> Room:
     if not (folder / PLAN_FILE).is_file():
         raise ClonerError("there is no room", "Make it with cloner scene make", folder.name)
     plan = read_plan(folder / PLAN_FILE)[0]
-    return room_of(plan, photos_kept(plan, folder))
+    return build_room(plan, read_stored_photos(plan, folder))
 
 
-def light_in(folder: Path) -> tuple[bytes, float, Probes]:
+def read_light(folder: Path) -> tuple[bytes, float, Probes]:
     """Return the output of ``cloner scene light``: the page's light map as a file, its scale, and the probes.
 
     Raises

@@ -13,10 +13,10 @@ import pygltflib
 import pytest
 import trimesh
 
-from cloner.scenes.building.charts import charts_of
+from cloner.scenes.building.charts import make_charts
 from cloner.scenes.building.gltf import LIGHT_MAP, room_glb
 from cloner.scenes.building.reading import SHIPPED, read_plan
-from cloner.scenes.building.solids import room_of
+from cloner.scenes.building.solids import build_room
 from kit import readers
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
@@ -26,8 +26,8 @@ VALIDATOR = Path(__file__).with_name("validate_gltf.mjs")
 @pytest.fixture(scope="module", params=[(name, lit) for name in SHIPPED for lit in (False, True)])
 def made(request, tmp_path_factory) -> tuple[Path, str, bool]:
     name, lit = request.param
-    room = room_of(read_plan(name)[0])
-    wide, tall = charts_of(room)[1]
+    room = build_room(read_plan(name)[0])
+    wide, tall = make_charts(room)[1]
     path = tmp_path_factory.mktemp("rooms") / f"{name}.glb"
     path.write_bytes(room_glb(room, np.full((tall, wide, 3), 0.7, np.float32) if lit else None))
     return path, name, lit

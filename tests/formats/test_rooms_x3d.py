@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.scenes.building.charts import charts_of
-from cloner.scenes.building.gltf import meshes_of
+from cloner.scenes.building.charts import make_charts
+from cloner.scenes.building.gltf import make_meshes
 from cloner.scenes.building.reading import read_plan
-from cloner.scenes.building.solids import room_of
+from cloner.scenes.building.solids import build_room
 from cloner.scenes.building.x3d import room_x3d
 from kit import readers
 from kit.browser import CHROMIUM, browser
@@ -27,8 +27,8 @@ X_ITE = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node")) / "node_
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The museum under even light."""
     out = tmp_path_factory.mktemp("x3d")
-    room = room_of(read_plan("museum")[0])
-    wide, tall = charts_of(room)[1]
+    room = build_room(read_plan("museum")[0])
+    wide, tall = make_charts(room)[1]
     Image.fromarray(np.full((tall, wide, 3), 128, np.uint8)).save(out / "light.png")
     for name, data in room_x3d(room, "light.png").items():
         (out / name).parent.mkdir(exist_ok=True)
@@ -38,8 +38,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_every_face_has_both_coordinates(folder: Path) -> None:
     root = ET.parse(folder / "room.x3d").getroot()
-    room = room_of(read_plan("museum")[0])
-    meshes = {one.look: one for one in meshes_of(*charts_of(room), room.looks)}
+    room = build_room(read_plan("museum")[0])
+    meshes = {one.look: one for one in make_meshes(*make_charts(room), room.looks)}
     shapes = list(root.iter("Shape"))
     assert len(shapes) == len(meshes)
     for shape in shapes:

@@ -63,7 +63,7 @@ from cloner.records.clones import Clone
 from cloner.records.flows import Flow
 from cloner.records.points import Correction, Corrections
 from cloner.scenes.building.reading import read_plan
-from cloner.scenes.building.solids import room_of
+from cloner.scenes.building.solids import build_room
 from cloner.scenes.films.sequence import read_sequence
 from cloner.statues.blobs import field_of, read_blobs
 from cloner.statues.markers import read_markers
@@ -395,7 +395,7 @@ TARGETS: Mapping[str, Target] = {
     "values": Target("values.npz", lambda: (kept_bytes()[0],), load_values),
     "avif": Target("body_front.avif", lambda: modern() or (cases_photos.heic(),), read_picture),
     "walk": Target("museum.walk", lambda: (walk_bytes(),), read_trajectories),
-    "plan": Target("plan.toml", lambda: (PLAN,), lambda path: room_of(read_plan(path)[0])),
+    "plan": Target("plan.toml", lambda: (PLAN,), lambda path: build_room(read_plan(path)[0])),
     "crowd": Target("crowd.json", lambda: (crowd_bytes(),), _crowd),
     "pack": Target("pack.zip", lambda: (pack_bytes(),), lambda path: tells(path, TRACES)),
     "manifest": Target("report.json", lambda: (REPORT, NEWER), lambda path: foreign_files(path.parent)),

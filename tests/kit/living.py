@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from cloner.project.results import RESULT_MARK, file_digest
-from cloner.scenes.served.living import Living
+from cloner.scenes.served.living import RunningScene
 from cloner.scenes.served.newcomers import finished_in
 from kit.crowds import dressed_toy, saved
 
@@ -29,12 +29,12 @@ def finished(folder: Path, name: str, **told: object) -> Path:
     return aside.rename(folder / name)
 
 
-def shown(built: Path, hot: Path) -> tuple[Living, list[str]]:
+def shown(built: Path, hot: Path) -> tuple[RunningScene, list[str]]:
     said: list[str] = []
-    return Living(built, partial(finished_in, hot), said.append), said
+    return RunningScene(built, partial(finished_in, hot), said.append), said
 
 
-def hello_of(scene: Living) -> dict:
+def hello_of(scene: RunningScene) -> dict:
     kind, hello = next(scene.told(0.01))
     assert kind == "hello"
     return hello

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
 from cloner.records.arrays import Array
-from cloner.scenes.building.solids import Panel, Room, inside
+from cloner.scenes.building.solids import Panel, Room, inside_solids
 
 #: Sides of texels, metres: floors as the issue wants them, small things as floors, walls and ceilings coarser.
 FLOOR_M, SMALL_M, WALL_M = 0.04, 0.05, 0.08
@@ -43,7 +43,7 @@ class Chart:
         return np.asarray(px / map_size)
 
 
-def charts_of(room: Room, texel_m: float | None = None) -> tuple[tuple[Chart, ...], tuple[int, int]]:
+def make_charts(room: Room, texel_m: float | None = None) -> tuple[tuple[Chart, ...], tuple[int, int]]:
     """Return a chart for each panel, and the map's (width, height), texels."""
     sizes = []
     for panel in room.panels:
@@ -82,8 +82,8 @@ class Grid:
     places: Array
 
 
-def grid_of(room: Room, panel: Panel, size: tuple[int, int]) -> Grid:
-    """Return a grid of (nu, nv) places whose outermost lie on the panel's borders."""
+def make_grid(room: Room, panel: Panel, size: tuple[int, int]) -> Grid:
+    """Return a grid of (nu, nv) points whose outermost lie on the panel's borders."""
     axes = [np.linspace(0.0, long, count) for long, count in zip(panel.size, size, strict=True)]
     asked = [np.clip(one, min(INSET_M, long / 4), long - min(INSET_M, long / 4))
              for one, long in zip(axes, panel.size, strict=True)]  # fmt: skip
@@ -95,19 +95,19 @@ def grid_of(room: Room, panel: Panel, size: tuple[int, int]) -> Grid:
     flat = (places + panel.normal * 2.0 * TOUCHING_M).reshape(-1, 3)
     low, high = flat.min(axis=0), flat.max(axis=0)
     near = (room.boxes[:, 0] < high + INSET_M).all(axis=1) & (room.boxes[:, 1] > low - INSET_M).all(axis=1)
-    there &= ~inside(flat, room.boxes[near], -TOUCHING_M).reshape(there.shape)
+    there &= ~inside_solids(flat, room.boxes[near], -TOUCHING_M).reshape(there.shape)
     return Grid(axes[0], axes[1], there, places)
 
 
-def filled(values: Array, there: NDArray[np.bool_]) -> Array:
-    """Return (nv, nu, ...) values with those that are not there taken from the nearest that are."""
+def fill_missing(values: Array, there: NDArray[np.bool_]) -> Array:
+    """Return (nv, nu, ...) values with missing ones taken from the nearest present ones."""
     if there.all() or not there.any():
         return values
     nearest = distance_transform_edt(~there, return_distances=False, return_indices=True)
     return np.asarray(values[tuple(nearest)])
 
 
-def laid(charts: tuple[Chart, ...], values: list[Array], size: tuple[int, int]) -> NDArray[np.float32]:
+def assemble_map(charts: tuple[Chart, ...], values: list[Array], size: tuple[int, int]) -> NDArray[np.float32]:
     """Return the (H, W, k) map of each chart's (nv, nu, k) values, their borders repeated."""
     out = np.zeros((size[1], size[0], values[0].shape[2]), np.float32)
     for chart, own in zip(charts, values, strict=True):
@@ -117,7 +117,7 @@ def laid(charts: tuple[Chart, ...], values: list[Array], size: tuple[int, int]) 
     return out
 
 
-def between(nodes: Array, wanted: Array) -> Array:
+def interpolation_weights(nodes: Array, wanted: Array) -> Array:
     """Return the (wanted, nodes) weights of linear interpolation."""
     right = np.clip(np.searchsorted(nodes, wanted, side="right"), 1, len(nodes) - 1)
     share = np.clip((wanted - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)

@@ -21,7 +21,7 @@ from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.records.arrays import Array
-from cloner.scenes.building.charts import Chart, charts_of
+from cloner.scenes.building.charts import Chart, make_charts
 from cloner.scenes.building.looks import Look
 from cloner.scenes.building.solids import Panel, Room
 
@@ -33,7 +33,9 @@ _LINEAR, _TRILINEAR, _REPEAT, _CLAMP = 9729, 9987, 10497, 33071
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Mesh:
-    """All parts of one look: (N, 3) places, metres, and unit normals; (N, 2) uv and light-map uv; (T, 3) triangles."""
+    """All parts with one look: (N, 3) positions, metres, and unit normals; (N, 2) uv and light-map uv; (T, 3)
+    triangles.
+    """
 
     look: str
     places: Array
@@ -43,14 +45,14 @@ class Mesh:
     triangles: NDArray[np.int64]
 
 
-def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int], looks: Mapping[str, Look]) -> list[Mesh]:
+def make_meshes(charts: tuple[Chart, ...], size: tuple[int, int], looks: Mapping[str, Look]) -> list[Mesh]:
     """Return the meshes of a room, one per look."""
     found: dict[str, list[tuple[Array, Array, Array, Array]]] = {}
     for chart in charts:
         panel = chart.panel
         for (u0, v0, u1, v1), look in panel.parts:
             u, v = np.array([u0, u1, u1, u0]), np.array([v0, v0, v1, v1])
-            uv = (np.stack([u, v], axis=1) - _begin(panel, look, looks)) * (1.0, -1.0) / looks[look].span_m
+            uv = (np.stack([u, v], axis=1) - _texture_origin(panel, look, looks)) * (1.0, -1.0) / looks[look].span_m
             normals = np.tile(panel.normal, (4, 1))
             found.setdefault(look, []).append((panel.at(u, v), normals, uv, chart.uv(u, v, size)))
     made = []
@@ -62,30 +64,30 @@ def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int], looks: Mapping[s
     return made
 
 
-def _begin(panel: Panel, name: str, looks: Mapping[str, Look]) -> Array:
-    """Return the origin of a look on a panel, metres: the lower left corner of all that has it, or the plan's."""
+def _texture_origin(panel: Panel, name: str, looks: Mapping[str, Look]) -> Array:
+    """Return the origin of a look on a panel, metres: the lower left corner of its parts, or the plan's origin."""
     if looks[name].fits:
         return np.asarray(np.min([rect[:2] for rect, look in panel.parts if look == name], axis=0))
     return -np.array([panel.corner @ panel.along, panel.corner @ panel.up])
 
 
 def to_bytes(light: NDArray[np.float32], brightest: float = BRIGHTEST) -> NDArray[np.uint8]:
-    """Return a light map as sRGB, ``brightest`` being white."""
+    """Return a light map as sRGB bytes; ``brightest`` becomes white."""
     linear = np.clip(light / brightest, 0.0, 1.0)
     srgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
     return np.asarray((srgb * 255.0 + 0.5).astype(np.uint8))
 
 
 def room_glb(room: Room, light: NDArray[np.float32] | None = None) -> bytes:
-    """Return a room as a file's content.
+    """Return a room as a GLB file's content.
 
     Parameters
     ----------
     room : Room
     light : (H, W, 3) or None
-        The map of :func:`cloner.scenes.lighting.light.lit_room`, with texels of usual sizes.
+        The map of :func:`cloner.scenes.lighting.light.light_room`, with texels of usual sizes.
     """
-    charts, size = charts_of(room)
+    charts, size = make_charts(room)
     gltf = pygltflib.GLTF2(asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}"), scene=0)
     buffer = GltfBuffer(gltf, np.zeros((2, 3)))
     gltf.samplers = [
@@ -98,7 +100,7 @@ def room_glb(room: Room, light: NDArray[np.float32] | None = None) -> bytes:
         lamp = {LIGHT_MAP: {"index": number, "texCoord": 1, "intensity": BRIGHTEST}}
         gltf.extensionsUsed = [LIGHT_MAP]
     primitives = []
-    for mesh in meshes_of(charts, size, room.looks):
+    for mesh in make_meshes(charts, size, room.looks):
         number = _picture(gltf, buffer, mesh.look, jpeg_bytes(room.looks[mesh.look].pixels), "image/jpeg", 0)
         shine = pygltflib.PbrMetallicRoughness(
             baseColorTexture=pygltflib.TextureInfo(index=number), metallicFactor=0.0, roughnessFactor=0.9

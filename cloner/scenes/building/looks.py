@@ -35,7 +35,7 @@ LARGEST_SIDE_PX, MOST_ROWS = 1024, 16383
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Look:
-    """A texture that is repeated.
+    """A repeating texture.
 
     Attributes
     ----------
@@ -52,27 +52,27 @@ class Look:
 
 
 @cache
-def drawn(name: str) -> Look:
+def procedural_look(name: str) -> Look:
     """Return one of the procedural looks."""
     pixels, span = texture(name), _BASE[name][0]
-    return Look(pixels, (span, span), np.full(3, 0.8) if name == "white" else albedo_of(pixels))
+    return Look(pixels, (span, span), np.full(3, 0.8) if name == "white" else mean_albedo(pixels))
 
 
-def albedo_of(pixels: NDArray[np.uint8]) -> Array:
-    """Return the (3,) mean share of light that (H, W, 3) sRGB pixels give back, linear."""
+def mean_albedo(pixels: NDArray[np.uint8]) -> Array:
+    """Return the (3,) mean linear albedo of (H, W, 3) sRGB pixels."""
     return np.asarray(((pixels / 255.0) ** 2.2).mean(axis=(0, 1)))
 
 
-def sheet_of(found: Sequence[Look]) -> NDArray[np.uint8]:
-    """Return textures one below another, all as squares of one side: the procedural ones', or larger with photos."""
+def texture_sheet(found: Sequence[Look]) -> NDArray[np.uint8]:
+    """Return textures stacked vertically as squares of one size: the procedural ones', or larger with photos."""
     side, wanted = SIDE_PX, max(max(one.pixels.shape[:2]) for one in found)
     while side < min(wanted, LARGEST_SIDE_PX) and 2 * side * len(found) <= MOST_ROWS:
         side *= 2
-    return np.concatenate([_squared(one.pixels, side) for one in found])
+    return np.concatenate([_resized_tile(one.pixels, side) for one in found])
 
 
-def _squared(pixels: NDArray[np.uint8], side: int) -> NDArray[np.uint8]:
-    """Return a texture of another size that still has no border where it is repeated."""
+def _resized_tile(pixels: NDArray[np.uint8], side: int) -> NDArray[np.uint8]:
+    """Return a resized texture that still repeats without a seam."""
     tall, wide = pixels.shape[:2]
     if (tall, wide) == (side, side):
         return pixels
@@ -87,7 +87,7 @@ def _squared(pixels: NDArray[np.uint8], side: int) -> NDArray[np.uint8]:
 
 
 def texture(look: str) -> NDArray[np.uint8]:
-    """Return a look's (SIDE_PX, SIDE_PX, 3) texture, sRGB, which may be repeated without a border."""
+    """Return a look's (SIDE_PX, SIDE_PX, 3) sRGB texture, which repeats without a seam."""
     base = np.array(_BASE[look][1])
     rng = np.random.default_rng(sum(look.encode()))
     shade = np.ones((SIDE_PX, SIDE_PX))
@@ -119,7 +119,7 @@ def _noise(rng: np.random.Generator, sigma: float) -> Array:
 
 
 def _tiles(rng: np.random.Generator, x: Array, y: Array, across: int, down: int, spread: float) -> Array:
-    """Return each tile's own shade; every second row is moved by half a tile."""
+    """Return each tile's own shade; every second row is offset by half a tile."""
     row = np.minimum((y * down).astype(int), down - 1)
     column = ((x * across + 0.5 * (row % 2)) % across).astype(int) % across
     return np.asarray(rng.normal(0.0, spread, (down, across))[row, column])

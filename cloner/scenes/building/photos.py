@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes
 from cloner.records.arrays import Array
-from cloner.scenes.building.looks import Look, albedo_of
+from cloner.scenes.building.looks import Look, mean_albedo
 from cloner.scenes.building.plan import Photographed, Plan
 from cloner.vision.photographs.pictures import read_picture
 
@@ -27,8 +27,8 @@ MOST_SAMPLES: Final = 6
 LARGEST_SIDE_PX: Final = 8192
 
 
-def straightened(rgb: NDArray[np.uint8], corners: Array, size: tuple[int, int]) -> NDArray[np.uint8]:
-    """Return the rectified region between four corners of a photo.
+def rectify(rgb: NDArray[np.uint8], corners: Array, size: tuple[int, int]) -> NDArray[np.uint8]:
+    """Return the region between four corners of a photo as a rectangle.
 
     Parameters
     ----------
@@ -55,8 +55,8 @@ def straightened(rgb: NDArray[np.uint8], corners: Array, size: tuple[int, int]) 
     return np.asarray(out if samples == 1 else cv2.resize(out, size, interpolation=cv2.INTER_AREA))
 
 
-def photos_beside(plan: Plan, folder: Path) -> dict[str, Look]:
-    """Return the looks of a plan's photos, which lie beside it, put straight.
+def read_plan_photos(plan: Plan, folder: Path) -> dict[str, Look]:
+    """Return the looks of a plan's photos, which lie beside it, rectified.
 
     Raises
     ------
@@ -66,8 +66,8 @@ def photos_beside(plan: Plan, folder: Path) -> dict[str, Look]:
     return {one.name: _look(_read(one, folder / one.file), one) for one in plan.photos}
 
 
-def photos_kept(plan: Plan, folder: Path) -> dict[str, Look]:
-    """Return the looks of a plan's photos as `kept` wrote them into a room's folder.
+def read_stored_photos(plan: Plan, folder: Path) -> dict[str, Look]:
+    """Return the looks of a plan's photos as `rectified_files` wrote them into a room's folder.
 
     Raises
     ------
@@ -76,7 +76,7 @@ def photos_kept(plan: Plan, folder: Path) -> dict[str, Look]:
     """
     found = {}
     for one in plan.photos:
-        pixels = read_picture(folder / place_of(one)).rgb
+        pixels = read_picture(folder / rectified_path(one)).rgb
         if pixels.shape[1::-1] != one.texels:
             raise ClonerError(
                 "a photo of the room has another size than its plan says", "Make the room again", one.name
@@ -85,12 +85,12 @@ def photos_kept(plan: Plan, folder: Path) -> dict[str, Look]:
     return found
 
 
-def kept(plan: Plan, looks: dict[str, Look]) -> dict[str, bytes]:
-    """Return photos put straight as files of a room's folder."""
-    return {place_of(one): png_bytes(looks[one.name].pixels) for one in plan.photos}
+def rectified_files(plan: Plan, looks: dict[str, Look]) -> dict[str, bytes]:
+    """Return rectified photos as files of a room's folder."""
+    return {rectified_path(one): png_bytes(looks[one.name].pixels) for one in plan.photos}
 
 
-def place_of(photo: Photographed) -> str:
+def rectified_path(photo: Photographed) -> str:
     """Return the path of a rectified photo in a room's folder."""
     return f"photos/{photo.name}.png"
 
@@ -103,8 +103,8 @@ def _read(photo: Photographed, path: Path) -> NDArray[np.uint8]:
         hint = f"It is {wide} x {tall} pixels; give corners inside it"
         raise ClonerError(f"corners of the photo {photo.name} lie outside it", hint, path.name)
     smaller = picture.rgb.shape[1] / wide
-    return straightened(picture.rgb, (corners + 0.5) * smaller - 0.5, photo.texels)
+    return rectify(picture.rgb, (corners + 0.5) * smaller - 0.5, photo.texels)
 
 
 def _look(pixels: NDArray[np.uint8], photo: Photographed) -> Look:
-    return Look(pixels, photo.size, albedo_of(pixels), fits=True)
+    return Look(pixels, photo.size, mean_albedo(pixels), fits=True)

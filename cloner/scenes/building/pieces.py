@@ -1,4 +1,4 @@
-"""Walls, pillars, blocks and vaults as rectangles, and as boxes for solidity.
+"""Walls, pillars, blocks and vaults as rectangles, and as boxes for collision.
 
 Frame: metres, X to the right, Y up, Z towards the viewer; the plan's y is -Z.
 """
@@ -37,27 +37,27 @@ class Quad:
         return np.asarray(n / np.linalg.norm(n))
 
     def middle(self) -> Array:
-        """Return the middle."""
+        """Return the centre."""
         return np.asarray(self.corner + (self.along + self.up) / 2.0)
 
 
-def plan_place(x: float, y: float, height: float = 0.0) -> Array:
-    """Return the position of a point of the plan."""
+def from_plan(x: float, y: float, height: float = 0.0) -> Array:
+    """Return a point of the plan as a point in space."""
     return np.array([x, height, -y])
 
 
-def box_over(low: tuple[float, float], high: tuple[float, float], bottom: float, top: float) -> Array:
+def make_box(low: tuple[float, float], high: tuple[float, float], bottom: float, top: float) -> Array:
     """Return the (2, 3) lowest and highest corners of a box over a rectangle of the plan."""
     return np.array([[low[0], bottom, -high[1]], [high[0], top, -low[1]]])
 
 
 def axes_of(normal: Array) -> tuple[Array, Array]:
-    """Return a face's axes: up is up, or the plan's up on level faces."""
+    """Return a face's axes: up is vertical, or the plan's up on horizontal faces."""
     up = np.array([0.0, 1.0, 0.0]) if abs(normal[1]) < 0.5 else np.array([0.0, 0.0, -1.0])
     return np.cross(up, normal), up
 
 
-def face_of(box: Array, axis: int, side: int, look: str) -> Quad:
+def box_face(box: Array, axis: int, side: int, look: str) -> Quad:
     """Return a box's face: the lower (0) or upper (1) along an axis."""
     normal = np.zeros(3)
     normal[axis] = 1.0 if side else -1.0
@@ -68,28 +68,28 @@ def face_of(box: Array, axis: int, side: int, look: str) -> Quad:
     return Quad(corner, along * abs(float(along @ size)), up * abs(float(up @ size)), look)
 
 
-def faces_of(box: Array, look: str) -> list[Quad]:
-    """Return -X, +X, -Y, +Y, -Z, +Z of a box."""
-    return [face_of(box, axis, side, look) for axis in range(3) for side in (0, 1)]
+def box_faces(box: Array, look: str) -> list[Quad]:
+    """Return a box's -X, +X, -Y, +Y, -Z and +Z faces."""
+    return [box_face(box, axis, side, look) for axis in range(3) for side in (0, 1)]
 
 
-def holes_in(wall: Wall) -> tuple[int, list[Array]]:
+def wall_openings(wall: Wall) -> tuple[int, list[Array]]:
     """Return the wall's long axis in space, and its openings as boxes."""
     long = 0 if wall.high[0] - wall.low[0] >= wall.high[1] - wall.low[1] else 1
     made = []
     for hole in wall.openings:
         low, high = list(wall.low), list(wall.high)
         low[long], high[long] = hole.at - hole.wide / 2.0, hole.at + hole.wide / 2.0
-        made.append(box_over((low[0], low[1]), (high[0], high[1]), hole.low, hole.high))
+        made.append(make_box((low[0], low[1]), (high[0], high[1]), hole.low, hole.high))
     return (0 if long == 0 else 2), made
 
 
 def wall_quads(wall: Wall) -> list[Quad]:
-    """Return a wall's faces, its two sides with holes, and the insides of its openings."""
-    box = box_over(wall.low, wall.high, 0.0, wall.height)
-    long, holes = holes_in(wall)
+    """Return a wall's faces: both sides with holes, and the insides of its openings."""
+    box = make_box(wall.low, wall.high, 0.0, wall.height)
+    long, holes = wall_openings(wall)
     thin = 2 - long
-    found = [face_of(box, axis, side, wall.look) for axis in (long, 1) for side in (0, 1)]
+    found = [box_face(box, axis, side, wall.look) for axis in (long, 1) for side in (0, 1)]
     cuts = [np.unique([box[:, k], *(hole[:, k] for hole in holes)]) for k in range(3)]
     for first, last in zip(cuts[long][:-1], cuts[long][1:], strict=True):
         for low, high in zip(cuts[1][:-1], cuts[1][1:], strict=True):
@@ -97,17 +97,17 @@ def wall_quads(wall: Wall) -> list[Quad]:
             part[:, long], part[:, 1] = (first, last), (low, high)
             middle = part.mean(axis=0)
             if not any(((middle > hole[0]) & (middle < hole[1])).all() for hole in holes):
-                found += [face_of(part, thin, side, wall.look) for side in (0, 1)]
+                found += [box_face(part, thin, side, wall.look) for side in (0, 1)]
     for hole in holes:
         for axis in (long, 1):
             for side in (0, 1):
                 if not (axis == 1 and side == 0 and hole[0, 1] <= 0.0):
-                    found.append(turned(face_of(hole, axis, side, wall.look)))
+                    found.append(flipped(box_face(hole, axis, side, wall.look)))
     return found
 
 
-def turned(quad: Quad) -> Quad:
-    """Return a face that looks the other way, with the axes of its new normal."""
+def flipped(quad: Quad) -> Quad:
+    """Return a face with the opposite normal and matching axes."""
     along, up = axes_of(-quad.normal)
     far = quad.corner + quad.along + quad.up
     low, high = np.minimum(quad.corner, far), np.maximum(quad.corner, far)
@@ -118,8 +118,8 @@ def turned(quad: Quad) -> Quad:
 
 def wall_boxes(wall: Wall) -> list[Array]:
     """Return a wall as solid boxes around its openings."""
-    box = box_over(wall.low, wall.high, 0.0, wall.height)
-    long, holes = holes_in(wall)
+    box = make_box(wall.low, wall.high, 0.0, wall.height)
+    long, holes = wall_openings(wall)
     cuts = np.unique([box[:, long], *(hole[:, long] for hole in holes)])
     found = []
     for first, last in pairwise(cuts):
@@ -135,29 +135,29 @@ def wall_boxes(wall: Wall) -> list[Array]:
     return found
 
 
-def plain_of(block: Block) -> tuple[list[Quad], list[Array]]:
-    """Return a block's faces and its solid."""
+def block_quads(block: Block) -> tuple[list[Quad], list[Array]]:
+    """Return a block's faces and its solid box."""
     half = np.array(block.size) / 2.0
     low, high = np.array(block.at) - half, np.array(block.at) + half
-    box = box_over((low[0], low[1]), (high[0], high[1]), block.low, block.high)
-    return faces_of(box, block.look), [box]
+    box = make_box((low[0], low[1]), (high[0], high[1]), block.low, block.high)
+    return box_faces(box, block.look), [box]
 
 
-def pillar_of(block: Block) -> tuple[list[Quad], list[Array]]:
+def pillar_quads(block: Block) -> tuple[list[Quad], list[Array]]:
     """Return an eight-sided shaft between a base and a capital."""
     half = np.array(block.size) / 2.0
     low, high = tuple(np.array(block.at) - half), tuple(np.array(block.at) + half)
-    base = box_over(low, high, block.low, block.low + BASE_M)
-    capital = box_over(low, high, block.high - CAPITAL_M, block.high)
+    base = make_box(low, high, block.low, block.low + BASE_M)
+    capital = make_box(low, high, block.high - CAPITAL_M, block.high)
     bottom, top = block.low + BASE_M, block.high - CAPITAL_M
     core = half * SHAFT * np.sqrt(0.5)  # a square inside the eight sides
-    shaft = box_over(tuple(np.array(block.at) - core), tuple(np.array(block.at) + core), bottom, top)
+    shaft = make_box(tuple(np.array(block.at) - core), tuple(np.array(block.at) + core), bottom, top)
     angles = 2.0 * np.pi * (np.arange(SIDES) + 0.5) / SIDES
     out = half * SHAFT / np.cos(np.pi / SIDES)
-    ring = [plan_place(block.at[0] + out[0] * np.cos(a), block.at[1] + out[1] * np.sin(a), bottom) for a in angles]
+    ring = [from_plan(block.at[0] + out[0] * np.cos(a), block.at[1] + out[1] * np.sin(a), bottom) for a in angles]
     up = np.array([0.0, top - bottom, 0.0])
     sides = [Quad(one, other - one, up, block.look) for one, other in zip(ring, ring[1:] + ring[:1], strict=True)]
-    return [*faces_of(base, block.look), *faces_of(capital, block.look), *sides], [base, capital, shaft]
+    return [*box_faces(base, block.look), *box_faces(capital, block.look), *sides], [base, capital, shaft]
 
 
 def vault_quads(
@@ -170,13 +170,13 @@ def vault_quads(
     along = np.array([0.0, 0.0, low[1] - high[1]])
     made = []
     for k in range(STRIPS):
-        first, other = plan_place(x[k], low[1], y[k]), plan_place(x[k + 1], low[1], y[k + 1])
+        first, other = from_plan(x[k], low[1], y[k]), from_plan(x[k + 1], low[1], y[k + 1])
         made.append(Quad(other, along, first - other, look))
         if made[-1].normal[1] > 0.0:
             made[-1] = Quad(first, along, other - first, look)
     return made
 
 
-def is_level(quad: Quad) -> bool:
-    """Return whether a face is square to an axis."""
+def is_axis_aligned(quad: Quad) -> bool:
+    """Return whether a face is perpendicular to an axis."""
     return bool(np.abs(quad.normal).max() > 1.0 - 1e-9)

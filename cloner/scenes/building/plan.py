@@ -17,7 +17,7 @@ Corners = tuple[XY, XY, XY, XY]
 
 @dataclass(frozen=True, slots=True)
 class Sun:
-    """Where the sun stands, degrees (clockwise from the plan's up; above the horizon), and its light.
+    """The sun's direction, degrees (azimuth clockwise from the plan's up; elevation), and its light.
 
     Lights are irradiances of a surface that faces them, in units in which a white surface under 1 is shown white.
     """
@@ -29,14 +29,14 @@ class Sun:
 
 @dataclass(frozen=True, slots=True)
 class Sky:
-    """The irradiance of a level place under the whole sky."""
+    """The irradiance of a horizontal surface under the whole sky."""
 
     light: RGB
 
 
 @dataclass(frozen=True, slots=True)
 class Floor:
-    """A rectangle one can walk on."""
+    """A walkable rectangle."""
 
     low: XY
     high: XY
@@ -45,7 +45,7 @@ class Floor:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """A door (``low`` 0) or a window: its middle along the wall's long side, as a plan's coordinate, and heights."""
+    """A door (``low`` 0) or a window: its middle along the wall's long side, as a plan coordinate, and heights."""
 
     at: float
     wide: float
@@ -55,7 +55,7 @@ class Opening:
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """An upright wall over a rectangle of the plan."""
+    """A vertical wall over a rectangle of the plan."""
 
     low: XY
     high: XY
@@ -100,7 +100,7 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Lamp:
-    """A glowing ball: its place (x, y, height), what it gives at one metre, and its radius."""
+    """A glowing sphere: its position (x, y, height), its irradiance at one metre, and its radius."""
 
     at: tuple[float, float, float]
     light: RGB
@@ -109,7 +109,7 @@ class Lamp:
 
 @dataclass(frozen=True, slots=True)
 class Photographed:
-    """A look from a photo: what lies between four corners of it, put straight.
+    """A look from a photo: the rectified region between four of its corners.
 
     Attributes
     ----------
@@ -134,7 +134,7 @@ class Photographed:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Everything that a room is made of."""
+    """Everything in a room."""
 
     name: str
     floors: tuple[Floor, ...]

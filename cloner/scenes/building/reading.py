@@ -1,4 +1,4 @@
-"""A plan read from a text file; `docs/scenes.md` describes its tables."""
+"""Reading of a plan's text file; `docs/scenes.md` describes its tables."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _NAME: Final = re.compile(r"[a-z][a-z0-9_]{0,30}")
 
 
 def read_plan(source: str | Path) -> tuple[Plan, str]:
-    """Return a shipped plan by its name, or a file's, and its text.
+    """Return a shipped plan by its name, or a file's plan, and its text.
 
     Raises
     ------
@@ -50,18 +50,18 @@ def read_plan(source: str | Path) -> tuple[Plan, str]:
     """
     if str(source) in SHIPPED:
         text = (importlib.resources.files("cloner.scenes") / "plans" / f"{source}.toml").read_text(encoding="utf-8")
-        return plan_of(text, str(source)), text
+        return parse_plan(text, str(source)), text
     path = Path(source)
     try:
         text = read_untrusted(path, LARGEST_PLAN_BYTES).decode("utf-8")
     except (OSError, UnsuitableFile, UnicodeDecodeError) as error:
         hint = f"Give {', '.join(SHIPPED)} or a plan's file (docs/scenes.md)"
         raise ClonerError("there is no plan", hint, path.name) from error
-    return plan_of(text, path.name), text
+    return parse_plan(text, path.name), text
 
 
-def plan_of(text: str, where: str) -> Plan:
-    """Return the plan that a text tells; see :func:`read_plan`."""
+def parse_plan(text: str, where: str) -> Plan:
+    """Return the plan of a text; see :func:`read_plan`."""
     try:
         return _plan(tomllib.loads(text))
     except _Wrong as error:
@@ -121,7 +121,7 @@ def _rows(told: dict[str, Any], name: str) -> list[dict[str, Any]]:
 
 
 def _row(kind: Any, told: Any, name: str, given: dict[str, Any] | None = None, renamed: Any = _RENAMED) -> Any:
-    """Return a record of what a table tells; only numbers in bounds, names and looks get through."""
+    """Return a record from a table; only numbers in bounds, known names and looks are accepted."""
     if not isinstance(told, dict):
         raise _Wrong(f"a {name} that is no table")
     given = given or {}
@@ -164,7 +164,7 @@ def _number(value: Any, largest: float = LARGEST) -> bool:
 
 
 def _checked(plan: Plan) -> Plan:
-    """Refuse what has no inside."""
+    """Refuse a plan without an inside."""
     if not plan.floors:
         raise _Wrong("no floor")
     for name, parts in (
@@ -198,7 +198,7 @@ def _checked(plan: Plan) -> Plan:
 
 
 def _check_looks(plan: Plan) -> None:
-    """Refuse photos that cannot be put straight, and looks that nothing has."""
+    """Refuse photos that cannot be rectified, and unknown looks."""
     if len(plan.photos) > MOST_PHOTOS:
         raise _Wrong(f"more than {MOST_PHOTOS} photos")
     known = list(LOOKS)

@@ -18,20 +18,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.arrays import Array
-from cloner.scenes.building.looks import LOOKS, Look, drawn
+from cloner.scenes.building.looks import LOOKS, Look, procedural_look
 from cloner.scenes.building.pieces import (
     Quad,
     axes_of,
-    box_over,
-    face_of,
-    faces_of,
-    holes_in,
-    is_level,
-    pillar_of,
-    plain_of,
-    turned,
+    block_quads,
+    box_face,
+    box_faces,
+    flipped,
+    is_axis_aligned,
+    make_box,
+    pillar_quads,
     vault_quads,
     wall_boxes,
+    wall_openings,
     wall_quads,
 )
 from cloner.scenes.building.plan import LARGEST, Ceiling, Plan, Vault
@@ -47,7 +47,7 @@ LOOKED_AT: Final = 7
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A flat part of the room that holds light.
+    """A flat part of the room that has light-map texels.
 
     Attributes
     ----------
@@ -69,13 +69,13 @@ class Panel:
         return np.asarray(np.cross(self.along, self.up))
 
     def at(self, u: Array, v: Array) -> Array:
-        """Return (..., 3) places of coordinates in metres."""
+        """Return (..., 3) points of panel coordinates in metres."""
         return np.asarray(self.corner + u[..., None] * self.along + v[..., None] * self.up)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Room:
-    """What a plan becomes.
+    """The geometry of a plan.
 
     Attributes
     ----------
@@ -94,8 +94,8 @@ class Room:
     looks: Mapping[str, Look]
 
 
-def room_of(plan: Plan, photos: Mapping[str, Look] = MappingProxyType({})) -> Room:
-    """Return the surfaces of a plan whose photos have been put straight (`photos.photos_of`)."""
+def build_room(plan: Plan, photos: Mapping[str, Look] = MappingProxyType({})) -> Room:
+    """Return the surfaces of a plan whose photos have been rectified (`photos.read_plan_photos`)."""
     quads: list[Quad] = []
     boxes: list[Array] = []
     slants: list[Quad] = []
@@ -104,38 +104,38 @@ def room_of(plan: Plan, photos: Mapping[str, Look] = MappingProxyType({})) -> Ro
         quads += wall_quads(wall)
         boxes += wall_boxes(wall)
     for block in plan.blocks:
-        made, inside = pillar_of(block) if block.pillar else plain_of(block)
-        quads += [one for one in made if is_level(one)]
-        slants += [one for one in made if not is_level(one)]
+        made, inside = pillar_quads(block) if block.pillar else block_quads(block)
+        quads += [one for one in made if is_axis_aligned(one)]
+        slants += [one for one in made if not is_axis_aligned(one)]
         boxes += inside
     for ceiling in plan.ceilings:
-        box = box_over(ceiling.low, ceiling.high, ceiling.at, ceiling.at + SLAB_M)
-        faces = faces_of(box, ceiling.look)
+        box = make_box(ceiling.low, ceiling.high, ceiling.at, ceiling.at + SLAB_M)
+        faces = box_faces(box, ceiling.look)
         quads.append(faces.pop(2))
         roofs += faces
         boxes.append(box)
     for vault in plan.vaults:
         slants += vault_quads(vault.low, vault.high, vault.spring, vault.rise, vault.look)
-    ground = [faces_of(box_over(one.low, one.high, -SLAB_M, 0.0), one.look)[3] for one in plan.floors]
+    ground = [box_faces(make_box(one.low, one.high, -SLAB_M, 0.0), one.look)[3] for one in plan.floors]
     held = np.array(boxes).reshape(-1, 2, 3)
-    shown = [one for one in [*quads, *slants] if _seen(one, plan, held)]
-    panels = _merged([*ground, *(one for one in shown if is_level(one))])
-    panels += [_alone(one) for one in shown if not is_level(one)]
-    both = [Quad(one.corner + one.along, -one.along, one.up, one.look) for one in slants if _over(one)]
-    looks = {name: drawn(name) for name in LOOKS} | dict(photos)
+    shown = [one for one in [*quads, *slants] if _is_visible(one, plan, held)]
+    panels = _merged([*ground, *(one for one in shown if is_axis_aligned(one))])
+    panels += [_alone(one) for one in shown if not is_axis_aligned(one)]
+    both = [Quad(one.corner + one.along, -one.along, one.up, one.look) for one in slants if _is_vault(one)]
+    looks = {name: procedural_look(name) for name in LOOKS} | dict(photos)
     return Room(plan, tuple(panels), (*ground, *quads, *slants, *both, *roofs), held, _portals(plan), looks)
 
 
-def inside(places: Array, boxes: Array, slack: float = 1e-6) -> NDArray[np.bool_]:
-    """Return which of (N, 3) places lie in a solid."""
+def inside_solids(places: Array, boxes: Array, slack: float = 1e-6) -> NDArray[np.bool_]:
+    """Return which of (N, 3) points lie in a solid."""
     found = np.zeros(len(places), bool)
     for low, high in boxes:
         found |= ((places > low + slack) & (places < high - slack)).all(axis=1)
     return found
 
 
-def covered(plan: Plan, x: Array, y: Array) -> NDArray[np.bool_]:
-    """Return which places of the plan have a ceiling or a vault above."""
+def is_roofed(plan: Plan, x: Array, y: Array) -> NDArray[np.bool_]:
+    """Return which points of the plan have a ceiling or a vault above."""
     found = np.zeros(np.shape(x), bool)
     roofs: tuple[Ceiling | Vault, ...] = (*plan.ceilings, *plan.vaults)
     for one in roofs:
@@ -143,19 +143,19 @@ def covered(plan: Plan, x: Array, y: Array) -> NDArray[np.bool_]:
     return found
 
 
-def _over(quad: Quad) -> bool:
-    """Return whether it is a vault's: seen from below, stopping rays from above too."""
+def _is_vault(quad: Quad) -> bool:
+    """Return whether a quad belongs to a vault: visible from below only, but blocking rays from above too."""
     return bool(quad.normal[1] < -1e-9)
 
 
-def _seen(quad: Quad, plan: Plan, boxes: Array) -> bool:
-    """Return whether somebody on a floor may see a face: before some of it is free space over a floor, or a door."""
+def _is_visible(quad: Quad, plan: Plan, boxes: Array) -> bool:
+    """Return whether a face can be seen from a floor: some of it faces free space over a floor, or a door."""
     share = np.stack(np.meshgrid(*[(np.arange(LOOKED_AT) + 0.5) / LOOKED_AT] * 2), axis=-1).reshape(-1, 2)
     front = quad.corner + share[:, :1] * quad.along + share[:, 1:] * quad.up + quad.normal * 0.02
     front = front[front[:, 1] > 0.0]
-    front = front[~inside(front, boxes)]
-    free = [box for wall in plan.walls for box in holes_in(wall)[1]]
-    free += [box_over(one.low, one.high, 0.0, LARGEST) for one in plan.floors]
+    front = front[~inside_solids(front, boxes)]
+    free = [box for wall in plan.walls for box in wall_openings(wall)[1]]
+    free += [make_box(one.low, one.high, 0.0, LARGEST) for one in plan.floors]
     return any(((front >= low - _TOUCH) & (front <= high + _TOUCH)).all(axis=1).any() for low, high in free)
 
 
@@ -167,7 +167,7 @@ def _alone(quad: Quad) -> Panel:
 
 
 def _merged(quads: list[Quad]) -> list[Panel]:
-    """Return panels of level faces: those of one plane that share a border are one."""
+    """Return panels of axis-aligned faces: faces in one plane that share a border are merged."""
     planes: dict[tuple[float, ...], list[Quad]] = defaultdict(list)
     for quad in quads:
         normal = quad.normal
@@ -205,17 +205,17 @@ def _touching(rects: Array) -> list[list[int]]:
 
 
 def _portals(plan: Plan) -> tuple[Quad, ...]:
-    """Return the openings between under a roof and under the sky, on their outer side, facing the room."""
+    """Return the openings between roofed and open parts, on their outer side, facing the room."""
     found = []
     for wall in plan.walls:
-        long, holes = holes_in(wall)
+        long, holes = wall_openings(wall)
         thin = 2 - long
         for hole in holes:
             outs = []
             for side in (0, 1):
                 place = hole.mean(axis=0)
                 place[thin] = hole[side, thin] + (0.5 if side else -0.5)
-                outs.append(not covered(plan, place[:1], -place[2:])[0])
+                outs.append(not is_roofed(plan, place[:1], -place[2:])[0])
             if outs[0] != outs[1]:
-                found.append(turned(face_of(hole, thin, 0 if outs[0] else 1, wall.look)))
+                found.append(flipped(box_face(hole, thin, 0 if outs[0] else 1, wall.look)))
     return tuple(found)

@@ -18,7 +18,7 @@ KNEE_M, HEAD_M = 0.15, 1.9
 MOST_CELLS: Final = 4_000_000
 
 
-def walkable_of(room: Room) -> tuple[NDArray[np.uint8], tuple[float, float], float]:
+def make_walkable(room: Room) -> tuple[NDArray[np.uint8], tuple[float, float], float]:
     """Return (rows, columns) 1 where one may walk, the first cell's corner (x, z), and the side of a cell, metres.
 
     Rows go along Z, columns along X, in the page's frame.

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.exporters.shared.files import jpeg_bytes
-from cloner.scenes.building.charts import charts_of
-from cloner.scenes.building.gltf import meshes_of
+from cloner.scenes.building.charts import make_charts
+from cloner.scenes.building.gltf import make_meshes
 from cloner.scenes.building.solids import Room
 
 TEXTURES: Final = "textures"
@@ -28,7 +28,7 @@ _HEAD: Final = (
 
 
 def room_x3d(room: Room, light: str) -> dict[str, bytes]:
-    """Return a lit room's X3D file and its textures, by their names in the room's folder.
+    """Return a lit room's X3D file and its textures by their names in the room's folder.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def room_x3d(room: Room, light: str) -> dict[str, bytes]:
     light : str
         Where the light map lies, from there.
     """
-    meshes = meshes_of(*charts_of(room), room.looks)
+    meshes = make_meshes(*make_charts(room), room.looks)
     found = {f"{TEXTURES}/{one.look}.jpg": jpeg_bytes(room.looks[one.look].pixels) for one in meshes}
     x, _, z = _middle(room)
     rows = [_HEAD, f'<head><meta name="title" content={quoteattr(room.plan.name)}/></head>\n<Scene>\n']

@@ -1,1 +1,1 @@
-"""The film language: lines become footings of clones, light and cameras."""
+"""The film language: its lines become footings of clones, light and cameras."""

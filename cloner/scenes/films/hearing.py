@@ -28,7 +28,7 @@ Ear = Callable[[float, int], tuple[Array, Array, Array]]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Source:
-    """A sound (N,) at `RATE_HZ`, -1..1, its start, and its source: somebody's head, or a place (3,) if given."""
+    """A sound (N,) at `RATE_HZ`, -1..1, its start, and its source: a person's head, or a position (3,) if given."""
 
     when: float
     who: int
@@ -36,13 +36,13 @@ class Source:
     place: Array | None = None
 
 
-def at_rate(sound: Array, rate_hz: int) -> Array:
-    """Return sound of any rate as one of `RATE_HZ`."""
+def resample(sound: Array, rate_hz: int) -> Array:
+    """Return a sound of any rate at `RATE_HZ`."""
     divisor = int(np.gcd(rate_hz, RATE_HZ))
     return np.asarray(resample_poly(sound, RATE_HZ // divisor, rate_hz // divisor))
 
 
-def heard(
+def mix_stereo(
     sources: Sequence[Source], seconds: float, ear: Ear, echo: tuple[bytes, Sequence[float]] | None = None
 ) -> NDArray[np.float32]:
     """Return the stereo sound (N, 2) at the film's camera at `RATE_HZ`; no sample exceeds -1..1.
@@ -73,16 +73,17 @@ def heard(
         turn = (pan + 1.0) * np.pi / 4.0  # equal power
         part = slice(begin, begin + len(own))
         out[part] += (loud * own)[:, None] * np.column_stack([np.cos(turn), np.sin(turn)])
-        wet = 0.0 if echo is None else np.array([_wet(at, echo[1]) for at, _, _ in places])
+        wet = 0.0 if echo is None else np.array([_reverberated(at, echo[1]) for at, _, _ in places])
         dry[part] += np.interp(times, asked, np.broadcast_to(wet, len(asked))) * loud * own
     if echo is not None:
         rate, ring = wavfile.read(io.BytesIO(echo[0]))
-        ring = at_rate(ring.astype(np.float64), rate)
+        ring = resample(ring.astype(np.float64), rate)
         ring *= ECHO_RMS * ECHO_HZ / RATE_HZ / max(float(np.sqrt((ring**2).mean())), 1e-12)
         out += oaconvolve(dry, ring.astype(np.float32))[:count, None]
     return np.asarray(out / np.float32(max(float(np.abs(out).max(initial=0.0)), 1.0)))
 
 
-def _wet(at: Array, borders: Sequence[float]) -> float:
+def _reverberated(at: Array, borders: Sequence[float]) -> float:
+    """Return whether the room's echo applies at a position."""
     x0, z0, x1, z1 = borders
     return WET if x0 <= at[0] <= x1 and z0 <= at[2] <= z1 else WET * WET_ELSEWHERE

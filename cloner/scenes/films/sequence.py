@@ -1,4 +1,4 @@
-"""The film language: placement and timed events, one line each.
+"""The film language: initial positions and timed events, one line each.
 
 `docs/scenes.md` has every statement. Places are the plan's: metres, x to the right, y up, then height above the floor.
 """
@@ -28,7 +28,7 @@ LENS_DEG: Final = 45.0
 
 @dataclass(frozen=True, slots=True)
 class Actor:
-    """Somebody: name, clone ("" for any), place, where to (degrees clockwise from the plan's up), stone, height."""
+    """A person: name, clone ("" for any), position, direction (degrees clockwise from the plan's up), stone, height."""
 
     name: str
     clone: str
@@ -41,7 +41,7 @@ class Actor:
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """What somebody does from a time on: walks, turns or acts; ``to`` a place, ``by`` a way, ``who`` somebody."""
+    """What a person does from a time on: walks, turns or acts; ``to`` a place, ``by`` a way, ``who`` somebody."""
 
     when: float
     actors: tuple[int, ...]
@@ -54,7 +54,7 @@ class Order:
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """A change that begins at a time and takes some: light, stars, stops, curtain, lantern, stone, up, the camera."""
+    """A change with a start and a duration: light, stars, stops, curtain, lantern, stone, up, the camera."""
 
     when: float
     kind: str
@@ -82,7 +82,7 @@ class Sequence:
 
 
 def read_sequence(path: Path) -> Sequence:
-    """Return the film that a file tells.
+    """Return the film of a file.
 
     Raises
     ------
@@ -93,10 +93,10 @@ def read_sequence(path: Path) -> Sequence:
         text = read_untrusted(path, LARGEST_BYTES).decode("utf-8")
     except (OSError, UnsuitableFile, UnicodeDecodeError) as error:
         raise ClonerError("there is no film", "Give a text like samples/awakening.film", path.name) from error
-    return sequence_of(text, path.name)
+    return parse_sequence(text, path.name)
 
 
-def sequence_of(text: str, where: str) -> Sequence:
+def parse_sequence(text: str, where: str) -> Sequence:
     """Return the film of a text; see :func:`read_sequence`."""
     made = Sequence()
     lines = text.splitlines()
@@ -116,7 +116,7 @@ def sequence_of(text: str, where: str) -> Sequence:
 
 
 def _who(words: Words, film: Sequence) -> tuple[int, ...]:
-    """Take the name of somebody, of rows, or everybody."""
+    """Parse the name of a person, of rows, or everybody."""
     name = words.take("word", "an actor's name")
     if name == "everybody":
         return tuple(range(len(film.actors)))
@@ -147,7 +147,7 @@ def _new(words: Words, film: Sequence) -> str:
 
 
 def _traits(words: Words, *, alone: bool) -> tuple[float, bool, float, XY | None]:
-    """Take ``facing 180 in stone, .3 m deep, head at 3, 4``; the last only of somebody ``alone``."""
+    """Parse ``facing 180 in stone, .3 m deep, head at 3, 4``; the last only for one person (``alone``)."""
     facing = words.number("degrees", -360, 360) if words.has("facing") else 180.0
     stone = words.has("in")
     if stone:

@@ -28,10 +28,10 @@ TAKEN, LIFTED, OVER = 0.40, 0.66, 0.86
 HELD_M, ABOVE_M = 0.44, 0.10
 
 
-def acted_by(
+def compile_film(
     film: Film, stock: CrowdArrays, people: Sequence[Mapping[str, Any]], progress: Progress = no_progress
 ) -> tuple[Acted, dict[str, Any]]:
-    """Return what a pack's clones act in a film, and the staging.
+    """Return the actions of a pack's clones in a film, and the staging.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def acted_by(
 
 
 def _clones(actors: Sequence[Actor], known: Sequence[str]) -> list[int]:
-    """Return each actor's clone; those for whom any will do take turns, by dice."""
+    """Return each actor's clone; actors without a given clone take random ones in turn."""
     dice, found = Mulberry32(7), []
     order: list[int] = []
     for actor in actors:
@@ -103,7 +103,7 @@ def _clip(names: Sequence[str], name: str, otherwise: int) -> int:
 
 
 def _track(film: Film, who: int, actor: Actor, names: Sequence[str], speeds: Array, before: Sequence[Track]) -> Track:
-    """Return somebody's place, heading and act, ten times a second; later actors are visible from their start."""
+    """Return a person's position, heading and act, ten times a second; later actors are visible from their start."""
     count = int(np.ceil(film.seconds / STEP_S)) + 2
     places, headings = np.zeros((count, 2)), np.zeros(count)
     acts, walks = np.full(count, IDLE), np.full(count, WALK)
@@ -121,7 +121,7 @@ def _track(film: Film, who: int, actor: Actor, names: Sequence[str], speeds: Arr
             elif order.kind == "turns":
                 faces = order.who
                 if faces < 0:
-                    heading = _towards(at, np.array([order.to[0], -order.to[1]]), heading)
+                    heading = _heading_to(at, np.array([order.to[0], -order.to[1]]), heading)
             else:
                 goal = np.array([order.to[0], -order.to[1]]) + (at if order.kind.endswith("by") else 0.0)
                 walk, faces = _clip(names, f"walk_{order.word}", WALK), -1
@@ -129,13 +129,13 @@ def _track(film: Film, who: int, actor: Actor, names: Sequence[str], speeds: Arr
         if goal is not None:
             left = goal - at
             far = float(np.hypot(*left))
-            heading = _towards(at, goal, heading)
+            heading = _heading_to(at, goal, heading)
             at = at + left * min(speed * STEP_S / max(far, 1e-9), 1.0)
             goal = None if far <= speed * STEP_S else goal
         elif faces >= 0:
             other = film.actors[faces].at if faces >= len(before) else None
             seen = np.array([other[0], -other[1]]) if other else before[faces].places_m[min(k, count - 1)]
-            heading = _towards(at, seen, heading)
+            heading = _heading_to(at, seen, heading)
         places[k], headings[k], walks[k] = at, heading, walk
         acts[k] = act if now < until else IDLE
     return Track(np.arange(count, dtype=np.float64) * STEP_S, places, headings, acts, walks)
@@ -146,7 +146,7 @@ def _heading(facing_deg: float) -> float:
     return float(np.arctan2(np.sin(turn), -np.cos(turn)))
 
 
-def _towards(at: Array, goal: Array, otherwise: float) -> float:
+def _heading_to(at: Array, goal: Array, otherwise: float) -> float:
     away = goal - at
     return float(np.arctan2(away[0], away[1])) if np.hypot(*away) > 0.05 else otherwise
 
@@ -191,7 +191,7 @@ def _line(keys: Sequence[Key], begin: tuple[float, ...]) -> list[list[float]]:
 
 
 def _shots(keys: Sequence[Key]) -> list[list[list[float]]]:
-    """Return for each cut its keys: time, eye, look, whom it looks at or -1, lens."""
+    """Return the keys of each cut: time, eye, target, followed person or -1, field of view."""
     shots: list[list[list[float]]] = []
     for one in keys:
         if one.kind not in ("camera", "moves"):
@@ -208,7 +208,7 @@ def _shots(keys: Sequence[Key]) -> list[list[list[float]]]:
 
 
 def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Sequence[float]) -> dict[str, Any]:
-    """Return the way of a head: x, height, z, heading, lean; from the ground over somebody's hands to its neck."""
+    """Return a head's path: x, height, z, heading, lean; from the ground over the holder's hands to its neck."""
     actor = film.actors[body]
     x, y = actor.head_at or (0.0, 0.0)
     ground = [x, LIES_M, -y, _heading(actor.facing_deg) + 0.9, LEANS]
@@ -240,10 +240,10 @@ def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Seque
     return told
 
 
-def with_statues(
+def add_statues(
     acted: Acted, stock: CrowdArrays, statues: Sequence[tuple[float, float, float, float, float]], seconds: float
 ) -> tuple[Acted, dict[str, Any]]:
-    """Return what is acted with statues added on things of a room, and the staging.
+    """Return the actions with statues added on things of a room, and the staging.
 
     Parameters
     ----------

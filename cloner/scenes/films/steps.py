@@ -21,8 +21,8 @@ CLICK, THUD, THUMP = (0.7, 0.006), (0.12, 0.03), (95.0, 0.5, 0.035)
 LOWEST, SPREAD, GOLDEN = 0.85, 0.3, 0.618
 
 
-def heel() -> Array:
-    """Return (N,) the sound of a heel, of `RATE_HZ`; the same numbers every time."""
+def heel_sound() -> Array:
+    """Return (N,) the sound of a heel strike at `RATE_HZ`; always the same numbers."""
     dice = Mulberry32(5)
     t = np.arange(int(np.ceil(HEEL_S * RATE_HZ))) / RATE_HZ
     noise = 2.0 * np.array([dice.roll() for _ in t]) - 1.0
@@ -30,11 +30,11 @@ def heel() -> Array:
     return np.asarray(noise * shape + THUMP[1] * np.sin(2.0 * np.pi * THUMP[0] * t) * np.exp(-t / THUMP[2]))
 
 
-def steps_of(acted: Acted, staging: Staging, seconds: float) -> list[Source]:
-    """Return the footsteps audible in some seconds of film."""
-    sound, found = heel(), []
-    own = {who: _higher(sound, who) for who in range(len(acted.people))}
-    for when, who in sorted(_down(acted)):
+def footsteps(acted: Acted, staging: Staging, seconds: float) -> list[Source]:
+    """Return the footsteps audible in a film of some length."""
+    sound, found = heel_sound(), []
+    own = {who: _pitched(sound, who) for who in range(len(acted.people))}
+    for when, who in sorted(_heel_strikes(acted)):
         if when >= seconds:
             break
         rows = staging.rows(acted, when)
@@ -45,8 +45,8 @@ def steps_of(acted: Acted, staging: Staging, seconds: float) -> list[Source]:
     return found
 
 
-def _down(acted: Acted) -> list[tuple[float, int]]:
-    """Return when whose feet come down: where a footing begins in which one walks, but for the first."""
+def _heel_strikes(acted: Acted) -> list[tuple[float, int]]:
+    """Return the times of heel strikes by person: the beginnings of walking footings except the first."""
     found = []
     for who in range(len(acted.people)):
         rows = acted.footings[acted.starts[who] : acted.starts[who + 1]][1:]
@@ -54,8 +54,8 @@ def _down(acted: Acted) -> list[tuple[float, int]]:
     return found
 
 
-def _higher(sound: Array, who: int) -> Array:
-    """Return a sound played as fast as one's steps are high."""
+def _pitched(sound: Array, who: int) -> Array:
+    """Return a sound played at a person's step frequency."""
     rate = LOWEST + SPREAD * (GOLDEN * who % 1.0)
     at = np.arange(0.0, len(sound) - 1.0, rate)
     return np.asarray(LOUD * np.interp(at, np.arange(len(sound)), sound))

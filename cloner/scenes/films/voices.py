@@ -19,7 +19,7 @@ from cloner.errors import ClonerError
 from cloner.motion.face.sound import wav_bytes
 from cloner.motion.face.talk import Speech, face_weights, speech_in
 from cloner.records.arrays import Array
-from cloner.scenes.films.hearing import Source, at_rate
+from cloner.scenes.films.hearing import Source, resample
 from cloner.scenes.films.sequence import Sequence as Film
 
 
@@ -35,8 +35,8 @@ class Voices:
         return [Source(one.when, one.who, sound) for one, sound in zip(self.said, self.sounds, strict=True)]
 
 
-def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
-    """Return the speech of a film whose files lie in a folder, for its pack and its sound; None without any.
+def read_voices(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
+    """Return the speech of a film from files in a folder, for its pack and its sound; None without speech.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def voices_of(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
     kept = {SPOKEN_FILE: data} | {
         file: wav_bytes(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()
     }
-    sounds = {file: at_rate(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()}
+    sounds = {file: resample(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()}
     heard = tuple(sounds.get(one.sound, np.zeros(0)) for one in said)
     return SpokenParts(kept, {"arrays": told, "said": [asdict(one) for one in said]}), Voices(said, heard)
 

@@ -29,7 +29,7 @@ class Words:
                 self._tokens.append((kind, match.group(match.lastindex or 0), match.start(match.lastindex or 0) + 1))
 
     def left(self) -> bool:
-        """Return whether anything is left."""
+        """Return whether any token is left."""
         return self._at < len(self._tokens)
 
     def wrong(self, expected: str, back: int = 0) -> ClonerError:
@@ -67,7 +67,7 @@ class Words:
         return False
 
     def must(self, *signs: str) -> None:
-        """Take these words or signs."""
+        """Take exactly these words or signs."""
         for sign in signs:
             if not self.has(sign):
                 raise self.wrong(repr(sign))
@@ -93,7 +93,7 @@ class Words:
         return x, y
 
     def seconds(self, word: str, usual: float | None = None) -> float:
-        """Take ``word N s``; without it the usual time, if there is one."""
+        """Take ``word N s``; return the default if it is missing and there is one."""
         if usual is not None and not self.has(word):
             return usual
         if usual is None:
@@ -103,6 +103,6 @@ class Words:
         return found
 
     def end(self) -> None:
-        """Refuse what is left."""
+        """Refuse remaining tokens."""
         if self.left():
             raise self.wrong("the line's end")

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from cloner.records.arrays import Array
 from cloner.scenes.building.charts import Grid
-from cloner.scenes.building.pieces import plan_place
+from cloner.scenes.building.pieces import from_plan
 from cloner.scenes.building.plan import Lamp, Sun
 from cloner.scenes.building.solids import Panel
-from cloner.scenes.lighting.rays import Stops, sphere
+from cloner.scenes.lighting.rays import RayQuads, sphere_directions
 
 #: The sun's radius seen from the earth, radians (half of .53 degrees).
 SUN_RADIUS: Final = 0.00463
@@ -22,30 +22,30 @@ LAMP_SAMPLES: Final = 6
 BLOCK: Final = 48
 
 
-def sun_way(sun: Sun) -> Array:
-    """Return the unit way towards the sun."""
+def sun_direction(sun: Sun) -> Array:
+    """Return the unit direction towards the sun."""
     turn, rise = np.radians(sun.towards_deg), np.radians(sun.elevation_deg)
     return np.array([np.sin(turn) * np.cos(rise), np.sin(rise), -np.cos(turn) * np.cos(rise)])
 
 
-def square_to(way: Array) -> Array:
-    """Return (2, 3) unit ways square to a way and each other."""
+def orthogonal_pair(way: Array) -> Array:
+    """Return (2, 3) unit vectors perpendicular to a direction and to each other."""
     first = np.cross(way, [0.0, 0.0, 1.0] if abs(way[2]) < 0.9 else [1.0, 0.0, 0.0])
     first /= np.linalg.norm(first)
     return np.array([first, np.cross(way, first)])
 
 
-def sun_on(panel: Panel, grid: Grid, stops: Stops, sun: Sun) -> Array:
-    """Return the (nv, nu) share of the sun's irradiance on a panel: cosine times what is seen of the disc.
+def sun_share(panel: Panel, grid: Grid, stops: RayQuads, sun: Sun) -> Array:
+    """Return the (nv, nu) share of the sun's irradiance on a panel: cosine times the visible part of the disc.
 
     Each texel asks from ``SUN_SAMPLES`` places in it for as many places of the sun, so that borders of light are even.
     """
-    way = sun_way(sun)
+    way = sun_direction(sun)
     cosine = float(panel.normal @ way)
     seen = np.zeros(grid.there.shape)
     if cosine <= 1e-4:
         return seen
-    across = square_to(way)
+    across = orthogonal_pair(way)
     k = np.arange(SUN_SAMPLES) + 0.5
     disc = SUN_RADIUS * np.sqrt(k / SUN_SAMPLES)[:, None] * np.column_stack([np.cos(2.4 * k), np.sin(2.4 * k)])
     moved = np.column_stack([(k * 0.7549) % 1.0, (k * 0.5698) % 1.0]) - 0.5  # Roberts' R2 sequence
@@ -58,34 +58,34 @@ def sun_on(panel: Panel, grid: Grid, stops: Stops, sun: Sun) -> Array:
             place = places + (jitter[0] * step[0]) * panel.along + (jitter[1] * step[1]) * panel.up
             u, v = (place - panel.corner) @ panel.along, (place - panel.corner) @ panel.up
             place = panel.at(np.clip(u, 1e-3, panel.size[0] - 1e-3), np.clip(v, 1e-3, panel.size[1] - 1e-3))
-            total += stops.see_the_sun(place, way + off @ across, across)
+            total += stops.unblocked_along(place, way + off @ across, across)
         seen[rows, columns][wanted] = total * (cosine / SUN_SAMPLES)
     return seen
 
 
-def lamp_on(panel: Panel, grid: Grid, stops: Stops, lamp: Lamp) -> Array:
-    """Return the (nv, nu) share of a lamp's light on a panel; see :func:`lamp_at`."""
+def lamp_share(panel: Panel, grid: Grid, stops: RayQuads, lamp: Lamp) -> Array:
+    """Return the (nv, nu) share of a lamp's light on a panel; see :func:`lamp_share_at`."""
     share = np.zeros(grid.there.shape)
-    middle = plan_place(lamp.at[0], lamp.at[1], lamp.at[2])
+    middle = from_plan(lamp.at[0], lamp.at[1], lamp.at[2])
     if (middle - panel.corner) @ panel.normal < -lamp.radius:
         return share
     for rows, columns in _blocks(grid.there):
         wanted = grid.there[rows, columns]
-        share[rows, columns][wanted] = lamp_at(grid.places[rows, columns][wanted], panel.normal, stops, lamp)
+        share[rows, columns][wanted] = lamp_share_at(grid.places[rows, columns][wanted], panel.normal, stops, lamp)
     return share
 
 
-def lamp_at(places: Array, normal: Array, stops: Stops, lamp: Lamp) -> Array:
-    """Return the (N,) share of a lamp's light at (N, 3) places of one normal, near one another."""
-    middle = plan_place(lamp.at[0], lamp.at[1], lamp.at[2])
+def lamp_share_at(places: Array, normal: Array, stops: RayQuads, lamp: Lamp) -> Array:
+    """Return the (N,) share of a lamp's light at nearby (N, 3) points with one normal."""
+    middle = from_plan(lamp.at[0], lamp.at[1], lamp.at[2])
     total = np.zeros(len(places))
-    for off in sphere(LAMP_SAMPLES):
+    for off in sphere_directions(LAMP_SAMPLES):
         lamp_place = middle + lamp.radius * off
         to = lamp_place - places
         far = np.maximum((to**2).sum(axis=1), lamp.radius**2)
         cosine = np.maximum(to @ normal, 0.0) / np.sqrt(far)
         if cosine.max(initial=0.0) > 0.0:
-            total += stops.seen_from(lamp_place, places) * cosine / far
+            total += stops.visible_from(lamp_place, places) * cosine / far
     return np.asarray(total / LAMP_SAMPLES)
 
 

@@ -1,4 +1,4 @@
-"""Acoustics of a room: impulse responses by ray tracing against the light's surfaces.
+"""Acoustics of a room: impulse responses by ray tracing against the surfaces that are lit.
 
 Rays leave a place evenly, lose what each surface takes, and go on diffusely (Lambert). From wherever they hit, part of
 their energy comes straight to the ear if it is seen ("diffuse rain"). The energy of each millisecond shapes noise: what
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from cloner.records.arrays import Array
 from cloner.scenes.building.solids import Room
-from cloner.scenes.lighting.rays import Stops, sphere
+from cloner.scenes.lighting.rays import RayQuads, sphere_directions
 
 SPEED_M_S: Final = 343.0  # of sound, at 20 degrees
 RATE_HZ: Final = 22_050  # half of a compact disc's: steps and murmur hold nothing above
@@ -40,27 +40,27 @@ _SEED: Final = 17
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Echo:
-    """An impulse response: (n,) samples at RATE_HZ, at most 1; how long it takes to fall by 60 dB, seconds."""
+    """An impulse response: (n,) samples at RATE_HZ, at most 1, and the reverberation time (60 dB), seconds."""
 
     samples: Array
     rings_s: float
 
 
-def echo_at(room: Room, place: Array, rays: int = RAYS) -> Echo:
-    """Return the impulse response of a clap at arm's length at a place (3,), metres, in the frame of rooms."""
+def impulse_response(room: Room, place: Array, rays: int = RAYS) -> Echo:
+    """Return the impulse response of a clap at arm's length at a point (3,), metres, in the frame of rooms."""
     energy = energies(room, place + (APART_M, 0.0, 0.0), place, rays)
-    return Echo(_sounding(energy), rings_s(energy))
+    return Echo(_shaped_noise(energy), reverberation_s(energy))
 
 
 def energies(room: Room, source: Array, ear: Array, rays: int = RAYS) -> Array:
-    """Return the energy (n,) received per millisecond, share of what leaves a source, per square metre."""
-    stops, rng = Stops(room.stops), np.random.default_rng(_SEED)
+    """Return the energy (n,) received per millisecond, share of the emitted energy, per square metre."""
+    stops, rng = RayQuads(room.stops), np.random.default_rng(_SEED)
     takes = np.array([TAKES.get(one.look, TAKES[PHOTOS_TAKE_AS]) for one in room.stops])
     out = np.zeros(round(LONGEST_S / STEP_S))
     straight = float(np.linalg.norm(ear - source))
-    if stops.seen_from(ear, source[None])[0]:
+    if stops.visible_from(ear, source[None])[0]:
         out[_slot(straight)] += 1.0 / (4.0 * np.pi * straight**2)
-    at, ways = np.repeat(source[None], rays, axis=0), sphere(rays)
+    at, ways = np.repeat(source[None], rays, axis=0), sphere_directions(rays)
     left, far = np.full(rays, 1.0 / rays), np.zeros(rays)
     while len(at):
         quad, away = _hits(stops, at, ways)
@@ -74,7 +74,7 @@ def energies(room: Room, source: Array, ear: Array, rays: int = RAYS) -> Array:
         reach = np.linalg.norm(to, axis=1)
         cosine = np.maximum((to * normal).sum(axis=1) / np.maximum(reach, 1e-9), 0.0)
         seen = np.flatnonzero(cosine > 0.0)
-        seen = seen[stops.seen_from(ear, at[seen])] if len(seen) else seen
+        seen = seen[stops.visible_from(ear, at[seen])] if len(seen) else seen
         slots = ((far[seen] + reach[seen]) / SPEED_M_S / STEP_S).astype(int)
         short = slots < len(out)
         np.add.at(out, slots[short], (left * cosine / (np.pi * np.maximum(reach, 0.3) ** 2))[seen][short])
@@ -88,7 +88,7 @@ def _slot(far_m: float) -> int:
     return int(far_m / SPEED_M_S / STEP_S)
 
 
-def _hits(stops: Stops, at: Array, ways: Array) -> tuple[NDArray[np.int64], Array]:
+def _hits(stops: RayQuads, at: Array, ways: Array) -> tuple[NDArray[np.int64], Array]:
     """Return the first hit of each ray, -1 for none, and its distance, metres."""
     falls = ways @ stops.normal.T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -103,15 +103,15 @@ def _hits(stops: Stops, at: Array, ways: Array) -> tuple[NDArray[np.int64], Arra
 
 
 def _scattered(normal: Array, rng: np.random.Generator) -> Array:
-    """Return (N, 3) ways off surfaces, as often as their cosine."""
+    """Return (N, 3) directions off surfaces, distributed by their cosine."""
     ways = rng.normal(size=normal.shape)
     ways /= np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9)
     ways = ways + normal
     return np.asarray(ways / np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9))
 
 
-def rings_s(energy: Array) -> float:
-    """Return the time in which sound falls by 60 dB, seconds, from the fall between -5 and -25 dB."""
+def reverberation_s(energy: Array) -> float:
+    """Return the time in which sound falls by 60 dB, seconds, extrapolated from the fall between -5 and -25 dB."""
     left = np.cumsum(energy[::-1])[::-1]
     level = 10.0 * np.log10(np.maximum(left / max(float(left[0]), 1e-30), 1e-12))
     part = np.flatnonzero((level <= -5.0) & (level >= -25.0))
@@ -121,8 +121,8 @@ def rings_s(energy: Array) -> float:
     return float(-60.0 / slope) if slope < 0.0 else 0.0
 
 
-def _sounding(energy: Array) -> Array:
-    """Return noise whose energy is that of each millisecond; the loudest sample is 1."""
+def _shaped_noise(energy: Array) -> Array:
+    """Return noise with each millisecond's energy; the loudest sample is 1."""
     each = round(RATE_HZ * STEP_S)
     last = int(np.flatnonzero(energy > energy.max(initial=0.0) * 1e-7)[-1]) + 1 if energy.any() else 1
     noise = np.random.default_rng(_SEED).normal(size=last * each)

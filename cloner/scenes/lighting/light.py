@@ -21,12 +21,20 @@ from scipy.sparse import csr_matrix
 
 from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
-from cloner.scenes.building.charts import Chart, Grid, between, charts_of, filled, grid_of, laid
+from cloner.scenes.building.charts import (
+    Chart,
+    Grid,
+    assemble_map,
+    fill_missing,
+    interpolation_weights,
+    make_charts,
+    make_grid,
+)
 from cloner.scenes.building.looks import Look
 from cloner.scenes.building.pieces import Quad
 from cloner.scenes.building.solids import Panel, Room
-from cloner.scenes.lighting.direct import lamp_on, sun_on
-from cloner.scenes.lighting.rays import Stops, hemisphere
+from cloner.scenes.lighting.direct import lamp_share, sun_share
+from cloner.scenes.lighting.rays import RayQuads, hemisphere_directions
 
 #: Steps of the lattice and of the patches that give light back, metres.
 LATTICE_M, PATCH_M = 0.25, 0.5
@@ -42,7 +50,7 @@ IN_CELL: Final = 12
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Patches:
-    """What surfaces give back, cell by cell.
+    """Outgoing light of surfaces, cell by cell.
 
     Attributes
     ----------
@@ -79,28 +87,28 @@ class Lit:
     map: NDArray[np.float32]
     sun: NDArray[np.float32]
     patches: Patches
-    stops: Stops
+    stops: RayQuads
 
 
-def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, progress: Progress = no_progress) -> Lit:
-    """Return a room's light maps; ``texel_m`` wins over the sizes of texels that panels have by themselves."""
-    stops, portals = Stops(room.stops), Stops(room.portals)
-    charts, size = charts_of(room, texel_m)
-    direct, sunny, fine = _straight(room, charts, stops, progress)
-    lattice = [grid_of(room, one, _counts(one.size, LATTICE_M, 2)) for one in room.panels]
+def light_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, progress: Progress = no_progress) -> Lit:
+    """Return a room's light maps; ``texel_m`` overrides the panels' own texel sizes."""
+    stops, portals = RayQuads(room.stops), RayQuads(room.portals)
+    charts, size = make_charts(room, texel_m)
+    direct, sunny, fine = _direct_light(room, charts, stops, progress)
+    lattice = [make_grid(room, one, _counts(one.size, LATTICE_M, 2)) for one in room.panels]
     cells = np.array([_counts(one.size, PATCH_M, 1) for one in room.panels])
     first = np.concatenate([[0], np.cumsum(cells.prod(axis=1))])
     patches = Patches(first, cells, *_panels_of(room), np.zeros((int(first[-1]) + 1, 3)))
-    met, sky = _gathered(room, lattice, stops, portals, patches, rays, progress)
+    met, sky = _gather_weights(room, lattice, stops, portals, patches, rays, progress)
     albedo = np.concatenate(
         [np.tile(_albedo(one, room.looks), (count, 1)) for one, count in zip(room.panels, np.diff(first), strict=True)]
     )
-    steady = [_cell_means(own, grid.there, _averages(grid, count))
+    steady = [_cell_means(own, grid.there, _averaging_matrices(grid, count))
               for own, grid, count in zip(direct, fine, cells, strict=True)]  # fmt: skip
-    means = [_averages(grid, count) for grid, count in zip(lattice, cells, strict=True)]
+    means = [_averaging_matrices(grid, count) for grid, count in zip(lattice, cells, strict=True)]
     given = patches.given
     for _ in range(MOST_BOUNCES):
-        back = [_back(own, more, grid, given) for own, more, grid in zip(met, sky, lattice, strict=True)]
+        back = [_indirect_light(own, more, grid, given) for own, more, grid in zip(met, sky, lattice, strict=True)]
         soft = [_cell_means(own, None, mean) for own, mean in zip(back, means, strict=True)]
         now = albedo * (np.concatenate(steady) + np.concatenate(soft))
         change = np.abs(now - given[:-1]).max()
@@ -109,15 +117,15 @@ def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, prog
             break
     values = []
     for own, grid, coarse, more in zip(direct, fine, lattice, back, strict=True):
-        whole = filled(own, grid.there) + _finer(more, coarse, grid)
+        whole = fill_missing(own, grid.there) + _upsampled(more, coarse, grid)
         values.append(np.maximum(whole, 0.0))
     progress("light", 1.0)
-    sun = [filled(own[..., None], grid.there) for own, grid in zip(sunny, fine, strict=True)]
-    return Lit(charts, size, laid(charts, values, size), laid(charts, sun, size), patches, stops)
+    sun = [fill_missing(own[..., None], grid.there) for own, grid in zip(sunny, fine, strict=True)]
+    return Lit(charts, size, assemble_map(charts, values, size), assemble_map(charts, sun, size), patches, stops)
 
 
-def cell_of(patches: Patches, quad: NDArray[np.int64], where: Array) -> NDArray[np.int64]:
-    """Return the cells at (N, 2) places, 0..1, on quads; the dark one where nothing is or nothing is drawn."""
+def cells_at(patches: Patches, quad: NDArray[np.int64], where: Array) -> NDArray[np.int64]:
+    """Return the cells at (N, 2) positions, 0..1, on quads; the dark cell where nothing is hit or drawn."""
     held = patches.panel_of[quad]
     share = patches.start[quad] + np.clip(where, 0.0, 1.0) * patches.span[quad]
     cells = patches.cells[held]
@@ -139,19 +147,19 @@ def _albedo(panel: Panel, looks: Mapping[str, Look]) -> Array:
     return np.asarray((areas[:, None] * own).sum(axis=0) / areas.sum())
 
 
-def _straight(
-    room: Room, charts: tuple[Chart, ...], stops: Stops, progress: Progress
+def _direct_light(
+    room: Room, charts: tuple[Chart, ...], stops: RayQuads, progress: Progress
 ) -> tuple[list[Array], list[Array], list[Grid]]:
     """Return each panel's light from sun and lamps, (nv, nu, 3), the sun's share in it, (nv, nu), and its fine grid."""
     found, sunny, grids = [], [], []
     for k, chart in enumerate(charts):
-        grid = grid_of(room, chart.panel, chart.size)
+        grid = make_grid(room, chart.panel, chart.size)
         light, share = np.zeros((*grid.there.shape, 3)), np.zeros(grid.there.shape)
         if room.plan.sun:
-            share = sun_on(chart.panel, grid, stops, room.plan.sun)
+            share = sun_share(chart.panel, grid, stops, room.plan.sun)
             light += share[..., None] * room.plan.sun.light
         for lamp in room.plan.lamps:
-            light += lamp_on(chart.panel, grid, stops, lamp)[..., None] * lamp.light
+            light += lamp_share(chart.panel, grid, stops, lamp)[..., None] * lamp.light
         found.append(light)
         sunny.append(share)
         grids.append(grid)
@@ -160,7 +168,7 @@ def _straight(
 
 
 def _panels_of(room: Room) -> tuple[NDArray[np.int64], Array, Array]:
-    """Return which panel each quad is part of, -1 for those that are not drawn, and where in it and how large."""
+    """Return each quad's panel, -1 for those that are not drawn, its position on it and its size."""
     found = np.full(len(room.stops), -1)
     start, span = np.zeros((len(room.stops), 2)), np.ones((len(room.stops), 2))
     corner, along, up, normal = (
@@ -183,11 +191,11 @@ def _panels_of(room: Room) -> tuple[NDArray[np.int64], Array, Array]:
     return found, start, span
 
 
-def _gathered(
-    room: Room, lattice: list[Grid], stops: Stops, portals: Stops, patches: Patches, rays: int, progress: Progress
+def _gather_weights(
+    room: Room, lattice: list[Grid], stops: RayQuads, portals: RayQuads, patches: Patches, rays: int, progress: Progress
 ) -> tuple[list[csr_matrix], list[Array]]:
     """Return for each panel its nodes' shares of all cells, (nodes there, cells), and the sky's light on them."""
-    ways, sky = hemisphere(rays), np.array(room.plan.sky.light)
+    ways, sky = hemisphere_directions(rays), np.array(room.plan.sky.light)
     met, light = [], []
     done, whole = 0, sum(int(one.there.sum()) for one in lattice)
     for panel, grid in zip(room.panels, lattice, strict=True):
@@ -196,17 +204,17 @@ def _gathered(
         cells = np.zeros((len(places), rays), np.int32)
         own = np.zeros((len(places), 3))
         for k, place in enumerate(places):
-            quad, _, where = stops.first(place, turned, panel.normal)
-            cells[k] = cell_of(patches, quad, where)
+            quad, _, where = stops.first_hits(place, turned, panel.normal)
+            cells[k] = cells_at(patches, quad, where)
             free = (quad < 0) & (turned[:, 1] > 0.0)
             if len(portals.corner) and sky.any():
-                door, _, _ = portals.first(place, turned, panel.normal)
-                near = _near(portals, place)
+                door, _, _ = portals.first_hits(place, turned, panel.normal)
+                near = _near_portals(portals, place)
                 free &= (door < 0) | near[door]
             own[k] = sky * (free.sum() / rays)
         for number, quad_ in enumerate(room.portals):
             if sky.any() and len(places):
-                own += sky * _by_portal(places, panel.normal, stops, portals, number, quad_)[:, None]
+                own += sky * _sky_through(places, panel.normal, stops, portals, number, quad_)[:, None]
         done += len(places)
         progress("light from surfaces", done / max(whole, 1))
         met.append(_lookup(cells, len(patches.given)))
@@ -224,14 +232,14 @@ def _lookup(cells: NDArray[np.int32], count: int) -> csr_matrix:
     return made
 
 
-def _near(portals: Stops, place: Array) -> NDArray[np.bool_]:
-    """Return which openings are so near to a place that their sky is counted by rays."""
+def _near_portals(portals: RayQuads, place: Array) -> NDArray[np.bool_]:
+    """Return which openings are so near to a point that their sky is sampled by rays."""
     away = place - np.clip(place, portals.low, portals.high)
     return np.asarray((away**2).sum(axis=1) < NEAR_PORTAL_M**2)
 
 
-def _by_portal(places: Array, normal: Array, stops: Stops, portals: Stops, number: int, portal: Quad) -> Array:
-    """Return the (N,) share of the sky's light that comes to (N, 3) places through an opening, zero where near."""
+def _sky_through(places: Array, normal: Array, stops: RayQuads, portals: RayQuads, number: int, portal: Quad) -> Array:
+    """Return the (N,) share of the sky's light that reaches (N, 3) points through an opening, zero where it is near."""
     out = np.zeros(len(places))
     reach = (portals.corners[number] - places[:, None]) @ normal
     facing = (places - portal.corner) @ portal.normal > 1e-4
@@ -251,13 +259,13 @@ def _by_portal(places: Array, normal: Array, stops: Stops, portals: Stops, numbe
             far = (to**2).sum(axis=1)
             cosine = np.maximum(to @ normal, 0.0) * np.maximum(-to @ portal.normal, 0.0) / far
             cosine[to[:, 1] <= 0.0] = 0.0
-            total += stops.seen_from(point + portal.normal * 1e-3, own) * cosine * area / (np.pi * far)
+            total += stops.visible_from(point + portal.normal * 1e-3, own) * cosine * area / (np.pi * far)
     out[asked] = total
     return out
 
 
-def _back(met: csr_matrix, sky: Array, grid: Grid, given: Array) -> Array:
-    """Return a lattice's (nv, nu, 3) light from sky and surfaces, smoothed a little where it is large enough."""
+def _indirect_light(met: csr_matrix, sky: Array, grid: Grid, given: Array) -> Array:
+    """Return a grid's (nv, nu, 3) light from sky and surfaces, smoothed a little if it is large enough."""
     own = np.zeros((*grid.there.shape, 3))
     if met.shape[0]:
         own[grid.there] = sky + met @ given
@@ -267,20 +275,20 @@ def _back(met: csr_matrix, sky: Array, grid: Grid, given: Array) -> Array:
         own /= np.maximum(
             gaussian_filter(there, (SMOOTH_NODES, SMOOTH_NODES, 0.0), mode="nearest", truncate=ONE_NODE), 1e-9
         )
-    return filled(own, grid.there)
+    return fill_missing(own, grid.there)
 
 
-def _averages(grid: Grid, cells: NDArray[np.int64]) -> tuple[Array, Array]:
-    """Return (cells up, nv) and (cells along, nu): cells' means of what a grid holds."""
+def _averaging_matrices(grid: Grid, cells: NDArray[np.int64]) -> tuple[Array, Array]:
+    """Return (cells up, nv) and (cells along, nu) matrices that average a grid over cells."""
     found = []
     for nodes, count in ((grid.v, cells[1]), (grid.u, cells[0])):
         samples = (np.arange(count * IN_CELL) + 0.5) / (count * IN_CELL) * nodes[-1]
-        found.append(between(nodes, samples).reshape(count, IN_CELL, -1).mean(axis=1))
+        found.append(interpolation_weights(nodes, samples).reshape(count, IN_CELL, -1).mean(axis=1))
     return found[0], found[1]
 
 
 def _cell_means(values: Array, there: NDArray[np.bool_] | None, means: tuple[Array, Array]) -> Array:
-    """Return the (cells, 3) means of a grid's (nv, nu, 3) values over the part of each cell that is there."""
+    """Return the (cells, 3) means of a grid's (nv, nu, 3) values over the present part of each cell."""
     up, along = means
     if there is None:
         return np.asarray((up @ values.transpose(2, 0, 1) @ along.T).reshape(3, -1).T)
@@ -288,12 +296,12 @@ def _cell_means(values: Array, there: NDArray[np.bool_] | None, means: tuple[Arr
     return np.asarray((own / np.maximum(up @ there @ along.T, 1e-9)).reshape(3, -1).T)
 
 
-def _finer(values: Array, coarse: Grid, fine: Grid) -> Array:
-    """Return a lattice's values between its nodes, for a fine grid of the same panel.
+def _upsampled(values: Array, coarse: Grid, fine: Grid) -> Array:
+    """Return a coarse grid's values interpolated to a fine grid of the same panel.
 
     Nodes in solids have no say where others have: light would come through walls.
     """
-    up, along = between(coarse.v, fine.v), between(coarse.u, fine.u)
+    up, along = interpolation_weights(coarse.v, fine.v), interpolation_weights(coarse.u, fine.u)
     there = coarse.there[..., None]
     weight = np.einsum("ai,bj,ijc->abc", up, along, there.astype(float), optimize=True)
     own = np.einsum("ai,bj,ijc->abc", up, along, values * there, optimize=True) / np.maximum(weight, 1e-9)

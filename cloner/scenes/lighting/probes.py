@@ -1,4 +1,4 @@
-"""Light probes for figures: incoming light in two bands of spherical harmonics.
+"""Light probes for people: incoming light in two bands of spherical harmonics.
 
 A probe's row is four numbers a colour, so that a surface of unit normal n gets E(n) = c0 + c . n (what is below nothing
 is nothing): cosines keep these bands of the light around best (Ramamoorthi and Hanrahan 2001). The sun would be smeared
@@ -14,12 +14,12 @@ import numpy as np
 from cloner.crowd.staged.rooms import Probes
 from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
-from cloner.scenes.building.charts import filled
-from cloner.scenes.building.pieces import plan_place
-from cloner.scenes.building.solids import Room, inside
-from cloner.scenes.lighting.direct import lamp_at, square_to, sun_way
-from cloner.scenes.lighting.light import Lit, cell_of
-from cloner.scenes.lighting.rays import sphere
+from cloner.scenes.building.charts import fill_missing
+from cloner.scenes.building.pieces import from_plan
+from cloner.scenes.building.solids import Room, inside_solids
+from cloner.scenes.lighting.direct import lamp_share_at, orthogonal_pair, sun_direction
+from cloner.scenes.lighting.light import Lit, cells_at
+from cloner.scenes.lighting.rays import sphere_directions
 
 #: Step of the grid on the plan and heights of the probes, metres: knees, chest, a little above a head.
 STEP_M: Final = 1.0
@@ -29,7 +29,7 @@ RAYS: Final = 512
 AROUND_M: Final = 0.2
 
 
-def probes_of(room: Room, lit: Lit, progress: Progress = no_progress) -> Probes:
+def make_probes(room: Room, lit: Lit, progress: Progress = no_progress) -> Probes:
     """Return the probes over all floors of a lit room."""
     low = np.min([one.low for one in room.plan.floors], axis=0)
     high = np.max([one.high for one in room.plan.floors], axis=0)
@@ -38,41 +38,41 @@ def probes_of(room: Room, lit: Lit, progress: Progress = no_progress) -> Probes:
     light = np.zeros((len(HEIGHTS_M), nz, nx, 3, 4), np.float32)
     sun = np.zeros(light.shape[:3], np.float32)
     there = np.zeros(light.shape[:3], bool)
-    ways = sphere(RAYS)
+    ways = sphere_directions(RAYS)
     for h, height in enumerate(HEIGHTS_M):
         for z in range(nz):
             for x in range(nx):
                 place = np.array([corner[0] + x * STEP_M, height, corner[2] + z * STEP_M])
-                if not _free(room, place):
+                if not _is_free(room, place):
                     continue
                 there[h, z, x] = True
-                light[h, z, x], sun[h, z, x] = probe_at(room, lit, place, ways)
+                light[h, z, x], sun[h, z, x] = make_probe(room, lit, place, ways)
             progress("probes", (h * nz + z + 1) / (len(HEIGHTS_M) * nz))
-        light[h], sun[h] = filled(light[h], there[h]), filled(sun[h], there[h])
+        light[h], sun[h] = fill_missing(light[h], there[h]), fill_missing(sun[h], there[h])
     return Probes(corner, np.array(HEIGHTS_M), STEP_M, light, sun)
 
 
-def probe_at(room: Room, lit: Lit, place: Array, ways: Array) -> tuple[Array, float]:
-    """Return the (3, 4) light that comes to a place from all around, and the share of the sun that is seen from it."""
-    quad, _, where = lit.stops.first(place, ways)
-    given = lit.patches.given[cell_of(lit.patches, quad, where)]
+def make_probe(room: Room, lit: Lit, place: Array, ways: Array) -> tuple[Array, float]:
+    """Return the (3, 4) incoming light at a point, and the visible share of the sun."""
+    quad, _, where = lit.stops.first_hits(place, ways)
+    given = lit.patches.given[cells_at(lit.patches, quad, where)]
     given[(quad < 0) & (ways[:, 1] > 0.0)] = room.plan.sky.light
     found = np.concatenate([given.mean(axis=0)[:, None], 2.0 * (given.T @ ways) / len(ways)], axis=1)
     for lamp in room.plan.lamps:
-        way = plan_place(*lamp.at) - place
+        way = from_plan(*lamp.at) - place
         way /= np.linalg.norm(way)
-        share = float(lamp_at(place[None], way, lit.stops, lamp)[0])
+        share = float(lamp_share_at(place[None], way, lit.stops, lamp)[0])
         found += np.outer(lamp.light, share * np.concatenate([[0.25], 0.5 * way]))
     seen = 0.0
     if room.plan.sun:
-        way = sun_way(room.plan.sun)
-        around = place + AROUND_M * np.concatenate([np.zeros((1, 3)), square_to(way), -square_to(way)])
-        seen = float(lit.stops.see_the_sun(around, way, square_to(way)).mean())
+        way = sun_direction(room.plan.sun)
+        around = place + AROUND_M * np.concatenate([np.zeros((1, 3)), orthogonal_pair(way), -orthogonal_pair(way)])
+        seen = float(lit.stops.unblocked_along(around, way, orthogonal_pair(way)).mean())
     return found, seen
 
 
-def _free(room: Room, place: Array) -> bool:
-    """Return whether somebody may stand there: over a floor and in no solid."""
+def _is_free(room: Room, place: Array) -> bool:
+    """Return whether a person can stand there: over a floor and in no solid."""
     over = any(one.low[0] - STEP_M <= place[0] <= one.high[0] + STEP_M
                and one.low[1] - STEP_M <= -place[2] <= one.high[1] + STEP_M for one in room.plan.floors)  # fmt: skip
-    return over and not inside(place[None], room.boxes, -0.02)[0]
+    return over and not inside_solids(place[None], room.boxes, -0.02)[0]

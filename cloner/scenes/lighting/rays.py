@@ -18,7 +18,7 @@ from cloner.scenes.building.pieces import Quad
 SLACK = 1e-5
 
 
-class Stops:
+class RayQuads:
     """Quads as arrays: corner, edges over their squared length, unit normals, all (Q, 3); corners (Q, 4, 3)."""
 
     def __init__(self, quads: Sequence[Quad]) -> None:
@@ -32,7 +32,9 @@ class Stops:
         self.up = up / np.maximum((up**2).sum(axis=1, keepdims=True), 1e-12)
         self.low, self.high = self.corners.min(axis=1), self.corners.max(axis=1)
 
-    def first(self, origin: Array, ways: Array, normal: Array | None = None) -> tuple[NDArray[np.int64], Array, Array]:
+    def first_hits(
+        self, origin: Array, ways: Array, normal: Array | None = None
+    ) -> tuple[NDArray[np.int64], Array, Array]:
         """Return the first hits of rays from one origin.
 
         Parameters
@@ -50,7 +52,7 @@ class Stops:
         held = np.flatnonzero(self._facing(origin, normal))
         if not len(held):
             return np.full(len(ways), -1), np.full(len(ways), np.inf), np.zeros((len(ways), 2))
-        away, a, b = self._meet(origin, ways, held)
+        away, a, b = self._intersect(origin, ways, held)
         nearest = away.argmin(axis=1)
         rows = np.arange(len(ways))
         t = away[rows, nearest]
@@ -63,8 +65,8 @@ class Stops:
             front &= ((self.corners - origin) @ normal).max(axis=1) > 1e-4
         return np.asarray(front)
 
-    def _meet(self, origin: Array, ways: Array, held: NDArray[np.int64]) -> tuple[Array, Array, Array]:
-        """Return distances (inf where missed) and both coordinates, each (R, H)."""
+    def _intersect(self, origin: Array, ways: Array, held: NDArray[np.int64]) -> tuple[Array, Array, Array]:
+        """Return distances (inf for misses) and both coordinates, each (R, H)."""
         ways32 = ways.astype(np.float32)
         corner = self.corner[held] - origin
         height = (corner * self.normal[held]).sum(axis=1).astype(np.float32)
@@ -79,18 +81,18 @@ class Stops:
         away[~hit] = np.inf
         return away, a, b
 
-    def seen_from(self, place: Array, targets: Array) -> NDArray[np.bool_]:
-        """Return which of (N, 3) targets, near one another, a place sees."""
+    def visible_from(self, place: Array, targets: Array) -> NDArray[np.bool_]:
+        """Return which of nearby (N, 3) targets are visible from a point."""
         low, high = np.minimum(targets.min(axis=0), place), np.maximum(targets.max(axis=0), place)
         near = ((self.low <= high + 1e-6) & (self.high >= low - 1e-6)).all(axis=1) & self._facing(place, None)
         held = np.flatnonzero(near)
         if not len(held):
             return np.ones(len(targets), bool)
-        away, _, _ = self._meet(place, targets - place, held)
+        away, _, _ = self._intersect(place, targets - place, held)
         return np.asarray(away.min(axis=1) >= 1.0 - 1e-3)
 
-    def see_the_sun(self, places: Array, way: Array, across: Array) -> NDArray[np.bool_]:
-        """Return which of (N, 3) places, near one another, see far along a way.
+    def unblocked_along(self, places: Array, way: Array, across: Array) -> NDArray[np.bool_]:
+        """Return which of nearby (N, 3) points are unblocked along a direction.
 
         Parameters
         ----------
@@ -115,15 +117,15 @@ class Stops:
         return np.asarray(~hit.any(axis=1))
 
 
-def hemisphere(count: int) -> Array:
-    """Return (count, 3) ways of equal weight for cosines about +Z: a Fibonacci spiral on the disc, lifted."""
+def hemisphere_directions(count: int) -> Array:
+    """Return (count, 3) directions of equal cosine weight about +Z: a Fibonacci spiral on the disc, lifted."""
     k = np.arange(count) + 0.5
     radius, angle = np.sqrt(k / count), k * np.pi * (3.0 - np.sqrt(5.0))
     return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1.0 - radius**2)])
 
 
-def sphere(count: int) -> Array:
-    """Return (count, 3) ways all around, evenly: a Fibonacci spiral."""
+def sphere_directions(count: int) -> Array:
+    """Return (count, 3) evenly distributed directions: a Fibonacci spiral."""
     k = np.arange(count) + 0.5
     z, angle = 1.0 - 2.0 * k / count, k * np.pi * (3.0 - np.sqrt(5.0))
     out = np.sqrt(1.0 - z * z)

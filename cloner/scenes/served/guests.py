@@ -1,4 +1,4 @@
-"""Visitors who walk in a page as guests of the scenario."""
+"""Viewers of a page who walk in the scene as guests of the scenario."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ Place = tuple[float, float, float]
 SILENT_S: Final = 3.0
 
 
-class Guests:
-    """Which page's walker has which guest's part in a world, and when it was heard last."""
+class PageGuests:
+    """Which page controls which guest, and when it was heard last."""
 
     def __init__(self) -> None:
         self._pages: dict[object, tuple[int, float]] = {}
 
-    def hear(self, world: World, page: object, place: Place | None, now: float) -> int:
-        """Let the guest of a page be where it says, or be gone; return whose part that is, -1 if there is none."""
+    def update(self, world: World, page: object, place: Place | None, now: float) -> int:
+        """Move the guest of a page to a place, or remove it (None); return the guest's number, -1 if none is free."""
         who, _ = self._pages.pop(page, (-1, 0.0))
         if place is None:
             leave(world, who)
@@ -34,8 +34,8 @@ class Guests:
             self._pages[page] = (who, now)
         return who
 
-    def go_on(self, world: World, now: float) -> None:
-        """Let those be gone whose pages have fallen silent."""
+    def drop_silent(self, world: World, now: float) -> None:
+        """Remove the guests of pages that have fallen silent."""
         for page, (_, heard) in list(self._pages.items()):
             if now - heard > SILENT_S:
-                self.hear(world, page, None, now)
+                self.update(world, page, None, now)

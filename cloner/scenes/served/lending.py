@@ -24,10 +24,19 @@ from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.people import Found
 from cloner.errors import ClonerError, printable
 from cloner.project.folder import safe_identifier
-from cloner.scenes.served.lent import FILES, lent_of, wanted_of
-from cloner.scenes.served.living import EVERY_S, Living
-from cloner.scenes.served.newcomers import Mark, Newcomer, finder_of, made_at, marks_of, newcomer_of
-from cloner.scenes.served.serving import NO_MESSAGE, OPTIONS, PATIENCE_S, TOO_MANY, TURN_S, WRONG_S, is_own, silent
+from cloner.scenes.served.lent import FILES, offer_facts, parse_clone
+from cloner.scenes.served.living import EVERY_S, RunningScene
+from cloner.scenes.served.newcomers import Mark, Newcomer, creation_time, latest_clones, make_newcomer, result_finder
+from cloner.scenes.served.serving import (
+    NO_MESSAGE,
+    OPTIONS,
+    PATIENCE_S,
+    TOO_MANY,
+    TURN_S,
+    WRONG_S,
+    is_private_address,
+    null_logger,
+)
 
 #: A clone has 2 MB; more than this is none.
 LARGEST_BYTES: Final = 16_000_000
@@ -41,8 +50,8 @@ _HINT: Final = "Give the address that the other booth's cloner scene serve --len
 
 
 @contextmanager
-def lent_to(living: Living, host: str) -> Iterator[str]:
-    """Let other booths lend clones to a scene while the block lasts; give the address to tell them.
+def accept_lent_clones(living: RunningScene, host: str) -> Iterator[str]:
+    """Accept clones that other booths lend to a scene while the block lasts; yield the address to tell them.
 
     Raises
     ------
@@ -54,8 +63,8 @@ def lent_to(living: Living, host: str) -> Iterator[str]:
     token, places = secrets.token_urlsafe(24), threading.BoundedSemaphore(MOST_BOOTHS)
     try:
         server = serve(
-            partial(_take, living, places), host, 0, process_request=partial(_admits, token), max_size=LARGEST_BYTES,
-            logger=silent(), **OPTIONS,
+            partial(_serve_booth, living, places), host, 0, process_request=partial(_admit, token),
+            max_size=LARGEST_BYTES, logger=null_logger(), **OPTIONS,
         )  # fmt: skip
     except OSError as error:
         raise ClonerError(f"{host} cannot be had", "Give an address of this machine", "--host") from error
@@ -68,8 +77,8 @@ def lent_to(living: Living, host: str) -> Iterator[str]:
         thread.join(PATIENCE_S)
 
 
-def _admits(token: str, connection: Any, request: Any) -> Any:
-    """Admit clients that know the token and are not pages; None admits."""
+def _admit(token: str, connection: Any, request: Any) -> Any:
+    """Return an error response for clients without the token and for pages; None admits."""
     told = request.path.removeprefix("/")
     if hmac.compare_digest(told.encode(), token.encode()) and "Origin" not in request.headers:
         return None
@@ -77,8 +86,8 @@ def _admits(token: str, connection: Any, request: Any) -> Any:
     return connection.respond(404, "")
 
 
-def _take(living: Living, places: threading.BoundedSemaphore, link: Any) -> None:
-    """Take clones of one booth into the scene until its link, or the scene, ends."""
+def _serve_booth(living: RunningScene, places: threading.BoundedSemaphore, link: Any) -> None:
+    """Show one booth's clones in the scene until its connection, or the scene, ends."""
     from websockets.exceptions import ConnectionClosed
 
     if not places.acquire(blocking=False):
@@ -86,10 +95,10 @@ def _take(living: Living, places: threading.BoundedSemaphore, link: Any) -> None
         return
     keys: dict[int, str] = {}
     try:
-        link.send(json.dumps({"wanted": wanted_of(living.facts)}))
+        link.send(json.dumps({"wanted": offer_facts(living.facts)}))
         while not living.over:
             try:
-                said = _read(link.recv(timeout=TURN_S))
+                said = _parse_offer(link.recv(timeout=TURN_S))
             except TimeoutError:
                 continue
             if said is None:
@@ -100,7 +109,9 @@ def _take(living: Living, places: threading.BoundedSemaphore, link: Any) -> None
                 living.leave(keys.pop(number, ""))
                 continue
             link.send(
-                json.dumps({"number": number, "error": _let_in(living, keys, said, link.recv(timeout=PATIENCE_S))})
+                json.dumps(
+                    {"number": number, "error": _receive_clone(living, keys, said, link.recv(timeout=PATIENCE_S))}
+                )
             )
         link.send(json.dumps({"over": living.over}))
     except (ConnectionClosed, TimeoutError):
@@ -111,8 +122,10 @@ def _take(living: Living, places: threading.BoundedSemaphore, link: Any) -> None
         places.release()
 
 
-def _let_in(living: Living, keys: dict[int, str], said: tuple[int, Any, list[int]], data: str | bytes) -> str:
-    """Let a clone into the scene; return why it may not, "" where it may."""
+def _receive_clone(
+    living: RunningScene, keys: dict[int, str], said: tuple[int, Any, list[int]], data: str | bytes
+) -> str:
+    """Add a received clone to the scene; return the reason of a refusal, "" if it was added."""
     number, row, sizes = said
     if number in keys or len(keys) >= MOST_LENT:
         return f"a booth may lend {MOST_LENT} clones at a time"
@@ -122,15 +135,15 @@ def _let_in(living: Living, keys: dict[int, str], said: tuple[int, Any, list[int
     for name, size in zip(FILES, sizes, strict=True):
         files[name], at = data[at : at + size], at + size
     try:
-        keys[number] = living.enter(lent_of(row, files, living.facts, living.body), fresh=True)
+        keys[number] = living.enter(parse_clone(row, files, living.facts, living.body), fresh=True)
     except ClonerError as error:
         return str(error)
     living.said("a clone of another booth is in the scene")
     return ""
 
 
-def _read(said: str | bytes) -> tuple[int, Any, list[int]] | None:
-    """Return a clone's number, its row and its files' sizes; no row where it is gone; None for what is no message."""
+def _parse_offer(said: str | bytes) -> tuple[int, Any, list[int]] | None:
+    """Return a clone's number, its row and its files' sizes; no row if it is withdrawn; None for an invalid message."""
     if not isinstance(said, str) or len(said) > LONGEST_BYTES:
         return None
     try:
@@ -178,7 +191,7 @@ def lend_folder(
         hint = 'Install it with: pip install "cloner[guide]"'
         raise ClonerError("lending clones needs a library that is not here", hint, "websockets") from error
     _check_near(address)
-    lender = _Lender(finder_of(clones), said)
+    lender = _Lender(result_finder(clones), said)
     linked = lost = False
     while not ends():
         try:
@@ -200,10 +213,10 @@ def lend_folder(
 
 
 def _check_near(address: str) -> None:
-    """Refuse addresses beyond this machine and private networks: visitors' clones leave the house nowhere else."""
+    """Refuse addresses beyond this machine and private networks: visitors' clones are sent nowhere else."""
     parts = urlsplit(address)
     try:
-        near = parts.scheme == "ws" and bool(parts.port) and is_own(parts.hostname or "")
+        near = parts.scheme == "ws" and bool(parts.port) and is_private_address(parts.hostname or "")
     except ValueError:
         near = False
     if not near:
@@ -212,7 +225,7 @@ def _check_near(address: str) -> None:
 
 @dataclass(slots=True)
 class _Lender:
-    """One booth's clones: who is lent by which number; ready ones are kept for a lost link, in memory."""
+    """One booth's clones by number; prepared ones are kept in memory in case the connection is lost."""
 
     clones: Callable[[], tuple[Path, ...]]
     said: Callable[[str], None]
@@ -220,14 +233,14 @@ class _Lender:
     count: int = 0
 
     def lend(self, link: Any, ends: Callable[[], bool]) -> None:
-        """Send who is finished, and say who is gone, as long as the link lasts."""
+        """Send finished clones, and withdrawals, as long as the connection lasts."""
         wanted = self._told(link, PATIENCE_S).get("wanted")
         if not isinstance(wanted, dict):
             raise ClonerError("that is no scene", _HINT, "ADDRESS")
         body = body_levels(mouth="faces" in wanted)
         numbers: dict[Mark, int] = {}
         while not ends():
-            there = marks_of(self.clones, MOST_LENT)
+            there = latest_clones(self.clones, MOST_LENT)
             for mark in [one for one in numbers if one not in there]:
                 self.ready.pop(mark, None)
                 link.send(json.dumps({"number": numbers.pop(mark), "gone": True}))
@@ -244,13 +257,13 @@ class _Lender:
         name = safe_identifier(mark[0].resolve().name)
         try:
             if mark not in self.ready:
-                self.ready[mark] = newcomer_of(Found(name, mark[0]), wanted, body)
+                self.ready[mark] = make_newcomer(Found(name, mark[0]), wanted, body)
         except (ClonerError, LookupError, TypeError, ValueError, AttributeError) as error:
             self.said(
                 f"not lent: {error if isinstance(error, ClonerError) else 'that scene asks for what is no clone'}"
             )
             return
-        if made_at(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
+        if creation_time(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
             self.ready.pop(mark)
             return
         own = self.ready[mark]
@@ -260,7 +273,7 @@ class _Lender:
         self.said(f"not lent: {printable(str(wrong))}" if wrong else f"{name} is in the scene")
 
     def _told(self, link: Any, wait_s: float) -> dict[str, Any]:
-        """Return the other booth's message within a time, nothing on timeout."""
+        """Return the other booth's next message, None on timeout."""
         try:
             found = json.loads(link.recv(timeout=wait_s))
         except (TimeoutError, ValueError, RecursionError):

@@ -31,8 +31,8 @@ MOST_BONES: Final = 400
 FARTHEST_M: Final = 10.0
 
 
-def wanted_of(facts: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the facts of a pack that :func:`~cloner.scenes.served.newcomers.newcomer_of` reads, without names."""
+def offer_facts(facts: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the facts of a pack that :func:`~cloner.scenes.served.newcomers.make_newcomer` reads, without names."""
     own = facts["people"][0]
     clips = [{"name": one["name"]} for one in own["clips"]]
     return {
@@ -44,8 +44,8 @@ def wanted_of(facts: Mapping[str, Any]) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def lent_of(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body: BodyLevels) -> Newcomer:
-    """Return a clone from another booth, if it is one that the pages of a pack can show.
+def parse_clone(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body: BodyLevels) -> Newcomer:
+    """Return another booth's clone, if the pages of this pack can show it.
 
     Parameters
     ----------
@@ -64,16 +64,16 @@ def lent_of(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body
     faced = "faces" in facts
     wrong = find_invalid_newcomer(row, faces=faced)
     if wrong:
-        raise _unfit(wrong)
+        raise _refusal(wrong)
     if set(files) != set(FILES):
-        raise _unfit("files")
+        raise _refusal("files")
     for name, size in PICTURES.items():
         if _size(files[name]) != size:
-            raise _unfit(name)
+            raise _refusal(name)
     try:
         arrays = unpacked(files["numbers.bin"], row["arrays"])
     except ValueError as error:
-        raise _unfit("numbers.bin") from error
+        raise _refusal("numbers.bin") from error
     frames = arrays["clips"][:, 0]
     loose = len(arrays["vertices"]) - len(body.vertex)
     fits = (
@@ -91,13 +91,13 @@ def lent_of(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], body
         and (not faced or arrays["moves"].shape[1] == len(face_wedges(body)))
     )
     if not fits:
-        raise _unfit("numbers.bin")
+        raise _refusal("numbers.bin")
     told = {"arrays": row["arrays"], "stature_m": float(row["stature_m"])}
     return Newcomer(dict(files), told, arrays["touches"], arrays["clips"])
 
 
 def _size(data: bytes) -> tuple[int, int]:
-    """Return a WebP file's width and height, (0, 0) of what is none."""
+    """Return a WebP file's width and height, (0, 0) for anything else."""
     try:
         with Image.open(io.BytesIO(data), formats=["WEBP"]) as image:
             return image.size
@@ -105,6 +105,6 @@ def _size(data: bytes) -> tuple[int, int]:
         return 0, 0
 
 
-def _unfit(name: str) -> ClonerError:
+def _refusal(name: str) -> ClonerError:
     hint = "Both booths need the same version of Cloner"
     return ClonerError(f"a clone from another booth is unfit: {printable(name)}", hint, "lent")

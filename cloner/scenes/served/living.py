@@ -1,4 +1,4 @@
-"""A running scene: its minds, newcomers, and messages to pages.
+"""A running scene: its scenario, newcomers, and messages to pages.
 
 Pages are told what happens in order: what came from outside before which step, so that their engines do the same steps;
 who comes and goes; which statue awakes. Who opens a page later, or again, is told first how things stand. Nothing of a
@@ -29,10 +29,10 @@ from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import FROM, UNTIL
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
-from cloner.scenes.served.guests import Guests, Place
-from cloner.scenes.served.minds import Look, Minds, minds_of
-from cloner.scenes.served.newcomers import Mark, Newcomer, made_at, marks_of, newcomer_of
-from cloner.scenes.served.telling import described, state_of, steps_of
+from cloner.scenes.served.guests import PageGuests, Place
+from cloner.scenes.served.minds import RunningScenario, WalkerFeet, start_scenario
+from cloner.scenes.served.newcomers import Mark, Newcomer, creation_time, latest_clones, make_newcomer
+from cloner.scenes.served.telling import footing_message, page_description, state_message
 
 #: So many newcomers are there at once; the one who came first makes place. Each is 3 MB of a page's textures; taste.
 MOST: Final = 12
@@ -50,7 +50,7 @@ Event = tuple[str, dict[str, Any]]
 
 
 @dataclass(slots=True, eq=False)
-class _There:
+class Participant:
     """A newcomer in the scene: its description for pages, its files, and whose part it plays from when."""
 
     told: dict[str, Any]
@@ -59,8 +59,8 @@ class _There:
     at_s: float
 
 
-class Living:
-    """A built scene, and who has come.
+class RunningScene:
+    """A built scene and the newcomers in it.
 
     Parameters
     ----------
@@ -90,9 +90,9 @@ class Living:
         self.facts = read_facts(pack)
         self._acted = read_acted(pack, self.facts)
         self.body = body_levels(mouth="faces" in self.facts)
-        self._there: OrderedDict[str, _There] = OrderedDict()
+        self._there: OrderedDict[str, Participant] = OrderedDict()
         self._keys: dict[Mark, str] = {}
-        self._old = frozenset(marks_of(self._clones, MOST))
+        self._old = frozenset(latest_clones(self._clones, MOST))
         self._events: deque[Event] = deque(maxlen=KEPT_EVENTS)
         self._count = 0
         self._minding = threading.RLock()  # whoever touches minds; first, where both are taken
@@ -108,11 +108,11 @@ class Living:
         self._begin()
 
     def now(self) -> float:
-        """Return the scene's own time, the same in all pages, seconds."""
+        """Return the scene's own time, equal in all pages, seconds."""
         return time.monotonic() - self._begun
 
     def page(self) -> bytes:
-        """Return the page that shows the scene and asks this server what happens."""
+        """Return the page that shows the scene and connects to this server."""
         return player_page(self.pack, self.facts | {"live": True})
 
     def file(self, key: str, name: str) -> bytes | None:
@@ -124,9 +124,11 @@ class Living:
     # ---- minds ----
 
     def _begin(self) -> None:
-        """Let the scenario begin; those who have come play other parts in it."""
-        self._minds: Minds = minds_of(self._scenario, self._seed, self._acted, self.facts["people"][0]["clips"])
-        self._guests, self._heard, self._seed = Guests(), 0, self._seed + 1
+        """Start the scenario (again); newcomers get other parts in it."""
+        self._minds: RunningScenario = start_scenario(
+            self._scenario, self._seed, self._acted, self.facts["people"][0]["clips"]
+        )
+        self._guests, self._heard, self._seed = PageGuests(), 0, self._seed + 1
         new, world = self._minds.go_on(0.0), self._minds.world
         with self._turn:
             self._begun, self._shown_s = time.monotonic(), 0.0
@@ -140,7 +142,7 @@ class Living:
                 self._cast(one)
 
     def go_on(self) -> None:
-        """Let the scene go on to now, and tell the pages."""
+        """Advance the scene to the present, and inform the pages."""
         with self._minding:
             self._begun += max(self.now() - self._shown_s - LATE_S, 0.0)
             if self._minds.over() and self.now() > max(self._minds.gone_s.values(), default=0.0):
@@ -149,11 +151,11 @@ class Living:
                     self._tell("hello", self._hello())
                 return
             now = self._shown_s = self.now()
-            self._guests.go_on(self._minds.world, now)
+            self._guests.drop_silent(self._minds.world, now)
             self._publish(self._minds.go_on(now))
 
     def _publish(self, new: dict[int, NDArray[np.float32]]) -> None:
-        """Tell the pages where everybody goes and what has happened, and keep of it what is not over."""
+        """Send the pages new footings and events, and keep those that are not over."""
         with self._turn:
             for who, rows in new.items():
                 kept = self._ways.get(who, rows[:0])
@@ -175,7 +177,7 @@ class Living:
                     self._tell("plays", {"key": key, "who": one.who, "at": one.at_s})
 
     def order(self, text: str) -> None:
-        """Let people of the scenario do what a guide says; pages see it when minds and feet have come to it.
+        """Execute a guide's order; pages show it when simulated and shown time meet.
 
         Raises
         ------
@@ -186,21 +188,21 @@ class Living:
             guide(self._minds.world, text)
 
     def walks(self, page: object, place: Place | None) -> int:
-        """Let who watches a page walk in the scene (`Guests.hear`); return whose part that is."""
+        """Move the guest of a page (`PageGuests.update`); return the guest's number."""
         with self._minding:
-            return self._guests.hear(self._minds.world, page, place, self.now())
+            return self._guests.update(self._minds.world, page, place, self.now())
 
-    def _cast(self, one: _There) -> None:
-        """Give a newcomer the part of whoever goes farthest just now."""
+    def _cast(self, one: Participant) -> None:
+        """Give a newcomer the part of the person who walks farthest at present."""
         taken = frozenset(other.who for other in self._there.values() if other.who >= 0)
-        one.who = self._minds.goes(taken)
-        look = Look(one.newcomer.touches, one.newcomer.clips, 1.0)
-        one.at_s = self._minds.dress(one.who, look, one.told["key"])
+        one.who = self._minds.farthest_walker(taken)
+        look = WalkerFeet(one.newcomer.touches, one.newcomer.clips, 1.0)
+        one.at_s = self._minds.set_feet(one.who, look, one.told["key"])
 
     # ---- pages ----
 
     def told(self, wait_s: float) -> Iterator[Event | None]:
-        """Yield how things stand, then what happens; None where nothing did for a while; until all is over.
+        """Yield the state, then events; None if nothing happened for a while; until the scene ends.
 
         Who takes events so slowly that they are not kept any more is told no more, and may ask anew.
         """
@@ -221,7 +223,7 @@ class Living:
                 return
 
     def stop(self, text: str = "The scene is no longer shown.") -> None:
-        """Tell all pages that it is over; nobody's files are given out any more."""
+        """Tell all pages that it is over; no files are served any more."""
         with self._turn:
             self._there.clear()
             self._tell("over", {"text": text})
@@ -231,7 +233,7 @@ class Living:
         there = [{**one.told, "who": one.who, "at": one.at_s, "fresh": False} for one in self._there.values()]
         until, kept = self._kept
         return {"now": self.now(), "newcomers": there, "awake": self._awake, "begun": self._engine, "until": until,
-                "state": state_of(kept), **steps_of(self._ways)}  # fmt: skip
+                "state": state_message(kept), **footing_message(self._ways)}  # fmt: skip
 
     def _tell(self, kind: str, what: dict[str, Any]) -> None:
         self._events.append((kind, what))
@@ -241,18 +243,18 @@ class Living:
     # ---- newcomers ----
 
     def look(self) -> None:
-        """See who has come and who has gone since the last time, and make at most one newcomer ready.
+        """Find newcomers and leavers since the last call, and prepare at most one newcomer.
 
         Raises
         ------
         ClonerError
             If the pack was taken away, as when somebody in it is forgotten, or made anew; all pages are told.
         """
-        if described(self.pack) != self.facts["player"]:
+        if page_description(self.pack) != self.facts["player"]:
             self.stop("The scene was taken away or made anew.")
             hint = "Build it again without whom it may not show, and serve it again"
             raise ClonerError("the scene was taken away or made anew", hint, self.pack.name)
-        wanted = marks_of(self._clones, MOST)
+        wanted = latest_clones(self._clones, MOST)
         for mark in [one for one in self._keys if one not in wanted]:
             self.leave(self._keys.pop(mark))
         for mark in wanted:
@@ -264,8 +266,8 @@ class Living:
         name = safe_identifier(mark[0].resolve().name)
         self._keys[mark] = ""
         try:
-            newcomer = newcomer_of(Found(name, mark[0]), self.facts, self.body)
-            if made_at(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
+            newcomer = make_newcomer(Found(name, mark[0]), self.facts, self.body)
+            if creation_time(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
                 self._keys.pop(mark)
                 return
             self._keys[mark] = self.enter(newcomer, fresh=mark not in self._old)
@@ -277,7 +279,7 @@ class Living:
     def enter(self, newcomer: Newcomer, *, fresh: bool) -> str:
         """Give a newcomer a part; return the key by which it leaves. ``fresh``: pages find and follow it."""
         key = secrets.token_urlsafe(12)
-        one = _There({"key": key, "row": dict(newcomer.row)}, newcomer, -1, 0.0)
+        one = Participant({"key": key, "row": dict(newcomer.row)}, newcomer, -1, 0.0)
         with self._minding, self._turn:
             self._cast(one)
             self._there[key] = one
@@ -285,11 +287,11 @@ class Living:
         return key
 
     def leave(self, key: str) -> None:
-        """Let a newcomer be gone."""
+        """Remove a newcomer."""
         with self._minding, self._turn:
             one = self._there.pop(key, None)
             if one is None:
                 return
-            self._minds.dress(one.who, None)
+            self._minds.set_feet(one.who, None)
             self._tell("gone", {"key": key})
         self.said("somebody has left the scene")

@@ -36,8 +36,8 @@ SPARE: Final = 32
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Look:
-    """What a walker's feet are: (K, 48, 6) touches and (K, 2) clips (`crowd.staged.footing.Acted`), and its size."""
+class WalkerFeet:
+    """A walker's feet: (K, 48, 6) touches and (K, 2) clips (`crowd.staged.footing.Acted`), and its size."""
 
     touches: NDArray[np.float32]
     clips: NDArray[np.float32]
@@ -45,7 +45,7 @@ class Look:
 
 
 @dataclass(slots=True, eq=False)
-class Minds:
+class RunningScenario:
     """A running scenario and everybody's feet; ``feet`` are those that the pack gives."""
 
     world: World
@@ -54,7 +54,7 @@ class Minds:
     dressed: dict[int, int] = field(default_factory=dict)
 
     def go_on(self, shown_s: float) -> dict[int, NDArray[np.float32]]:
-        """Let time pass until minds are `HEAD_S` ahead of what is shown; return everybody's new footings.
+        """Simulate until `HEAD_S` ahead of what is shown; return everybody's new footings.
 
         A footing that goes on where the last one was is told again, longer: it begins at the same time. Between two
         calls at most `HEAD_S` may pass.
@@ -67,8 +67,8 @@ class Minds:
         self.world.core.call("stride", self.world.time_s - SEEN_S)
         return taken(self.world.core)
 
-    def goes(self, taken: frozenset[int]) -> int:
-        """Return who goes farthest just now, of those whose part is not taken.
+    def farthest_walker(self, taken: frozenset[int]) -> int:
+        """Return who walks farthest at present, of those whose part is not taken.
 
         Raises
         ------
@@ -84,8 +84,8 @@ class Minds:
             raise ClonerError("nobody's part is free in the scene", "Take a scenario with more people", "scene")
         return best
 
-    def dress(self, who: int, look: Look | None, key: str = "") -> float:
-        """Give somebody other feet, None for the own ones; return from which time on, seconds. ``key``: whose they are.
+    def set_feet(self, who: int, look: WalkerFeet | None, key: str = "") -> float:
+        """Give a person other feet (None: the original ones) of a clone with a key; return from which time on, seconds.
 
         Nothing is kept of feet that are given back.
         """
@@ -105,12 +105,12 @@ class Minds:
 
     @property
     def gone_s(self) -> dict[int, float]:
-        """When each who is not there was there last, seconds."""
+        """Return when each absent person was last present, seconds."""
         seen = self.world.core.arrays["last_seen"]
         return {int(who): float(seen[who]) / RATE_HZ for who in np.flatnonzero(~self.world.bodies.present)}
 
     def over(self) -> bool:
-        """Return whether nobody is there any more, but for guests."""
+        """Return whether nobody is left except guests."""
         return int(self.world.bodies.present.sum()) == guests(self.world)
 
     def _watch(self) -> None:
@@ -118,7 +118,7 @@ class Minds:
         self.places.append(self.world.bodies.place.copy())
 
 
-def minds_of(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> Minds:
+def start_scenario(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> RunningScenario:
     """Return a scenario's people with the feet that a pack gives them.
 
     Parameters
@@ -137,4 +137,4 @@ def minds_of(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[Mappin
     if scenario.people() > len(acted.people):
         raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", "scene")
     feet = feet_of(acted.touches, acted.clips, acted.people[: scenario.people()], clips, spare=SPARE)
-    return Minds(world_of(scenario, seed, feet), feet)
+    return RunningScenario(world_of(scenario, seed, feet), feet)

@@ -45,8 +45,8 @@ class Newcomer:
     clips: NDArray[np.float32]
 
 
-def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> Newcomer:
-    """Return a finished clone made ready for a pack that acts.
+def make_newcomer(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> Newcomer:
+    """Return a finished clone prepared for a pack that acts.
 
     Raises
     ------
@@ -87,17 +87,17 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
 
 
 def finished_in(folder: Path) -> tuple[Path, ...]:
-    """Return the finished clones in a folder of results, the newest first."""
+    """Return the finished clones in a folder of results, the latest first."""
     found = []
     for path in folder.glob(f"*/{CLONE_FILE}"):
-        made = made_at(path.parent)
+        made = creation_time(path.parent)
         if made is not None and (path.parent / RESULT_MARK).is_file() and not path.parent.name.startswith("."):
             found.append((made, path.parent))
     return tuple(one for _, one in sorted(found, reverse=True))
 
 
-def finder_of(clones: Path | Callable[[], tuple[Path, ...]]) -> Callable[[], tuple[Path, ...]]:
-    """Return a finder of the clones that may be shown, the newest first, in a folder of results.
+def result_finder(clones: Path | Callable[[], tuple[Path, ...]]) -> Callable[[], tuple[Path, ...]]:
+    """Return a function that lists the clones that may be shown in a folder of results, the latest first.
 
     Raises
     ------
@@ -111,14 +111,14 @@ def finder_of(clones: Path | Callable[[], tuple[Path, ...]]) -> Callable[[], tup
     return partial(finished_in, clones)
 
 
-def marks_of(clones: Callable[[], tuple[Path, ...]], most: int) -> list[Mark]:
-    """Return the newest clones that are to be there: folders and when their clones were made."""
-    made = [(folder, made_at(folder)) for folder in clones()]
+def latest_clones(clones: Callable[[], tuple[Path, ...]], most: int) -> list[Mark]:
+    """Return the latest clones that are to take part: folders and creation times."""
+    made = [(folder, creation_time(folder)) for folder in clones()]
     return [(folder, when) for folder, when in made if when is not None][:most]
 
 
-def made_at(folder: Path) -> float | None:
-    """Return when the clone in a folder was made, None where there is none."""
+def creation_time(folder: Path) -> float | None:
+    """Return when the clone in a folder was made, None if there is none."""
     try:
         return (folder / CLONE_FILE).stat().st_mtime
     except OSError:

@@ -22,8 +22,8 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.scenes.served.living import EVERY_S, Living
-from cloner.scenes.served.newcomers import finder_of
+from cloner.scenes.served.living import EVERY_S, RunningScene
+from cloner.scenes.served.newcomers import result_finder
 
 HOST: Final = "127.0.0.1"
 #: What is wrong costs so long, seconds, and what a page may say at most, bytes.
@@ -51,7 +51,7 @@ _KINDS: Final = {".webp": "image/webp", ".bin": "application/octet-stream"}
 
 def serve_folder(
     pack: Path, clones: Path | Callable[[], tuple[Path, ...]], opens: Callable[[str], bool] | None = None, *,
-    host: str = HOST, port: int = 0, lent: Callable[[Living, str], AbstractContextManager[str]] | None = None,
+    host: str = HOST, port: int = 0, lent: Callable[[RunningScene, str], AbstractContextManager[str]] | None = None,
     said: Callable[[str], None],
 ) -> None:  # fmt: skip
     """Serve a built, running scene that finished clones can join, until it is interrupted.
@@ -69,7 +69,7 @@ def serve_folder(
     port : int
         0 takes any free one.
     lent : callable, optional
-        Lets other booths lend clones (:func:`cloner.scenes.served.lending.lent_to`).
+        Lets other booths lend clones (:func:`cloner.scenes.served.lending.accept_lent_clones`).
     said : callable
         Gets lines while it goes on: first the page's address.
 
@@ -78,12 +78,12 @@ def serve_folder(
     ClonerError
         If the pack cannot be shown or is taken away, the folder is missing, or the address cannot be had.
     """
-    living = Living(pack, finder_of(clones), said)
+    living = RunningScene(pack, result_finder(clones), said)
     number = f"{secrets.randbelow(1_000_000):06}" if opens is None else ""
     with served(living, opens or (lambda told: hmac.compare_digest(told.encode(), number.encode())), host, port) as url:
         said(url)
         said(f"staff: Ctrl+Shift+K and the number {number or 'of the event'}")
-        with going_on(living), lent(living, host) if lent else nullcontext("") as address:
+        with advancing(living), lent(living, host) if lent else nullcontext("") as address:
             if address:
                 said(f"other booths: cloner scene lend {address} --clones EVENT")
             while True:
@@ -92,8 +92,8 @@ def serve_folder(
 
 
 @contextmanager
-def going_on(living: Living) -> Iterator[None]:
-    """Let a scene go on in a thread of its own while the block lasts; making a newcomer ready takes seconds."""
+def advancing(living: RunningScene) -> Iterator[None]:
+    """Advance a scene in a thread of its own while the block lasts, as preparing a newcomer takes seconds."""
     over = threading.Event()
 
     def walk() -> None:
@@ -110,8 +110,8 @@ def going_on(living: Living) -> Iterator[None]:
 
 
 @contextmanager
-def served(living: Living, opens: Callable[[str], bool], host: str = HOST, port: int = 0) -> Iterator[str]:
-    """Serve a scene's page while the block lasts; give its address.
+def served(living: RunningScene, opens: Callable[[str], bool], host: str = HOST, port: int = 0) -> Iterator[str]:
+    """Serve a scene's page while the block lasts; yield its address.
 
     Raises
     ------
@@ -123,14 +123,14 @@ def served(living: Living, opens: Callable[[str], bool], host: str = HOST, port:
     except ImportError as error:
         hint = 'Install it with: pip install "cloner[guide]"'
         raise ClonerError("serving a scene needs a library that is not here", hint, "websockets") from error
-    if not is_own(host):
+    if not is_private_address(host):
         hint = "Give this machine's own address in your network, as 192.168.1.20"
         raise ClonerError("the scene is shown in a network of one's own only", hint, "--host")
     state = _State(living, opens)
     try:
         server = serve(
             partial(_receive, state), host, port, process_request=partial(_answer, state), max_size=LONGEST_BYTES,
-            logger=silent(), **OPTIONS,
+            logger=null_logger(), **OPTIONS,
         )  # fmt: skip
     except (OSError, OverflowError) as error:
         hint = "Give an address of this machine, and leave --port out or give one that is free, 1024 to 65535"
@@ -151,14 +151,14 @@ def served(living: Living, opens: Callable[[str], bool], host: str = HOST, port:
 class _State:
     """What all requests share."""
 
-    def __init__(self, living: Living, opens: Callable[[str], bool]) -> None:
+    def __init__(self, living: RunningScene, opens: Callable[[str], bool]) -> None:
         self.living, self.accepts = living, opens
         self.token, self.host = secrets.token_urlsafe(24), ""
         self.places = threading.BoundedSemaphore(MOST_PAGES)
 
 
-def is_own(host: str) -> bool:
-    """Return whether an address is this machine's loopback or of a private network; a name may be anybody's."""
+def is_private_address(host: str) -> bool:
+    """Return whether an address is the loopback or in a private network; a name may resolve to anything."""
     try:
         own = ipaddress.IPv4Address(host)
     except ValueError:
@@ -166,8 +166,8 @@ def is_own(host: str) -> bool:
     return (own.is_private or own.is_link_local) and not own.is_unspecified
 
 
-def silent() -> logging.Logger:
-    """Return a logger that says nothing: who looks at a clone is nobody's business."""
+def null_logger() -> logging.Logger:
+    """Return a logger that discards everything: who looks at a clone stays private."""
     logger = logging.getLogger("cloner.scenes.pages")
     logger.disabled = True
     return logger
@@ -209,7 +209,7 @@ def _response(code: int, kind: str, content: bytes) -> Any:
 
 
 def _receive(state: _State, page: Any) -> None:
-    """Tell one page what happens, and listen to it in between, until it or the scene ends."""
+    """Exchange messages with one page until it or the scene ends."""
     from websockets.exceptions import ConnectionClosed
 
     if not state.places.acquire(blocking=False):
@@ -225,7 +225,7 @@ def _receive(state: _State, page: Any) -> None:
                 if said is None:
                     page.close(NO_MESSAGE, "that is no message")
                     return
-                staff, answer = _asked(state, page, staff, said)
+                staff, answer = _handle_request(state, page, staff, said)
                 page.send(json.dumps({"kind": "answer", **answer}))
     except ConnectionClosed:
         pass
@@ -250,7 +250,7 @@ def _message(said: str | bytes) -> tuple[str, str] | None:
 
 
 def _place(text: str) -> tuple[float, float, float] | None:
-    """Return the place and heading that a text tells, None where it tells none."""
+    """Return the position and heading in a text, None if there are none."""
     try:
         x, z, heading = (float(one) for one in text.split())
     except ValueError:
@@ -258,8 +258,8 @@ def _place(text: str) -> tuple[float, float, float] | None:
     return (x, z, heading) if all(abs(one) < FARTHEST_M for one in (x, z, heading)) else None  # not for nan
 
 
-def _asked(state: _State, page: Any, staff: bool, said: tuple[str, str]) -> tuple[bool, dict[str, Any]]:
-    """Return whether a page is the staff's after what it has said, and what to answer."""
+def _handle_request(state: _State, page: Any, staff: bool, said: tuple[str, str]) -> tuple[bool, dict[str, Any]]:
+    """Return whether a page belongs to the staff after this message, and the answer."""
     kind, text = said
     if kind == "walk":
         return staff, {"who": state.living.walks(page, _place(text))}

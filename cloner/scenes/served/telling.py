@@ -15,19 +15,19 @@ from numpy.typing import NDArray
 from cloner.crowd.packs.files import MARK
 
 
-def steps_of(ways: Mapping[int, NDArray[np.float32]]) -> dict[str, Any]:
-    """Return people's footings as pages read them: who has how many, and all of them in line."""
+def footing_message(ways: Mapping[int, NDArray[np.float32]]) -> dict[str, Any]:
+    """Return footings as pages read them: the count per person, and all rows in one list."""
     data = b"".join(rows.astype("<f4").tobytes() for rows in ways.values())
     return {"of": [[who, len(rows)] for who, rows in ways.items()], "data": base64.b64encode(data).decode("ascii")}
 
 
-def state_of(kept: bytes) -> str:
-    """Return an engine's memory as pages read it: deflated, mostly zeros."""
+def state_message(kept: bytes) -> str:
+    """Return an engine's memory as pages read it: deflated, as it is mostly zeros."""
     return base64.b64encode(zlib.compress(kept, 1)).decode("ascii")
 
 
-def described(pack: Path) -> Any:
-    """Return a pack's current description of its page, None where the pack is gone."""
+def page_description(pack: Path) -> Any:
+    """Return a pack's current description of its page, None if the pack is gone."""
     try:
         return json.loads((pack / MARK).read_bytes())["player"]
     except (OSError, ValueError, LookupError, TypeError):

@@ -23,7 +23,7 @@ from cloner.crowd.staged.footing import FROM, LAST, X, Z, felt_at
 from cloner.crowd.staged.staging import staging_of
 from cloner.errors import Cancelled, ClonerError
 from cloner.scenes.filmed import film_file
-from cloner.scenes.films.steps import steps_of
+from cloner.scenes.films.steps import footsteps
 from cloner.scenes.inhabited import build_folder
 from cloner.statues.carved import statue_of
 from kit.browser import CHROMIUM, browser
@@ -87,7 +87,7 @@ def test_steps_are_heard_when_feet_come_down_from_where_they_are_and_not_of_ston
     facts = read_facts(filmed[1])
     acted, staging = read_acted(filmed[1], facts), staging_of(facts)
     assert staging is not None
-    found = steps_of(acted, staging, 4.0)
+    found = footsteps(acted, staging, 4.0)
     assert len(found) >= 4
     for one in found:
         own = acted.footings[acted.starts[one.who] : acted.starts[one.who + 1]]

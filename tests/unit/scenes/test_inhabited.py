@@ -20,7 +20,7 @@ from cloner.crowd.staged.footing import rows_at
 from cloner.crowd.staged.rooms import glow_of
 from cloner.errors import ClonerError
 from cloner.scenes.inhabited import build_folder
-from cloner.scenes.written import room_in, sound_folder, sound_in
+from cloner.scenes.written import read_built_room, read_room_sound, sound_folder
 from kit.browser import CHROMIUM, browser
 
 pytestmark = [pytest.mark.gl, pytest.mark.slow]
@@ -186,6 +186,6 @@ def test_the_page_is_silent_until_asked_then_steps_are_heard_in_the_rooms_echo(
 
 
 def test_a_room_of_which_nobody_asked_for_sound_has_none(lit_folder: Path, tmp_path: Path) -> None:
-    assert sound_in(lit_folder, room_in(lit_folder)) is None
+    assert read_room_sound(lit_folder, read_built_room(lit_folder)) is None
     with pytest.raises(ClonerError, match="no room"):
         sound_folder(tmp_path)

@@ -17,10 +17,10 @@ from websockets.sync.client import connect
 
 from cloner.crowd.clones.people import Found
 from cloner.errors import ClonerError
-from cloner.scenes.served.lending import MOST_LENT, lend_folder, lent_to
-from cloner.scenes.served.lent import FILES, lent_of, wanted_of
-from cloner.scenes.served.living import Living
-from cloner.scenes.served.newcomers import Newcomer, newcomer_of
+from cloner.scenes.served.lending import MOST_LENT, accept_lent_clones, lend_folder
+from cloner.scenes.served.lent import FILES, offer_facts, parse_clone
+from cloner.scenes.served.living import RunningScene
+from cloner.scenes.served.newcomers import Newcomer, make_newcomer
 from cloner.scenes.served.serving import HOST, served
 from kit.living import finished, hello_of, shown
 
@@ -37,13 +37,13 @@ def wait(what: Callable[[], object], seconds: float = 60.0) -> None:
 
 
 @pytest.fixture
-def scene(built: Path, hot: Path) -> Living:
+def scene(built: Path, hot: Path) -> RunningScene:
     return shown(built, hot)[0]
 
 
 @pytest.fixture
-def address(scene: Living) -> Iterator[str]:
-    with lent_to(scene, HOST) as place:
+def address(scene: RunningScene) -> Iterator[str]:
+    with accept_lent_clones(scene, HOST) as place:
         yield place
 
 
@@ -57,7 +57,7 @@ def theirs(tmp_path: Path) -> Path:
 def newcomer(built: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Newcomer, dict]:
     folder = tmp_path_factory.mktemp("booth")
     living = shown(built, folder)[0]
-    return newcomer_of(Found("eve", finished(folder, "eve")), wanted_of(living.facts), living.body), living.facts
+    return make_newcomer(Found("eve", finished(folder, "eve")), offer_facts(living.facts), living.body), living.facts
 
 
 @contextmanager
@@ -73,11 +73,13 @@ def lending(address: str, folder: Path) -> Iterator[list[str]]:
         thread.join(60)
 
 
-def there(scene: Living) -> list[dict]:
+def there(scene: RunningScene) -> list[dict]:
     return list(hello_of(scene)["newcomers"])
 
 
-def test_another_booths_clone_is_in_the_scene_as_long_as_its_link(scene: Living, address: str, theirs: Path) -> None:
+def test_another_booths_clone_is_in_the_scene_as_long_as_its_link(
+    scene: RunningScene, address: str, theirs: Path
+) -> None:
     with lending(address, theirs) as said:
         finished(theirs, "eve")
         wait(lambda: there(scene))
@@ -93,14 +95,14 @@ def test_another_booths_clone_is_in_the_scene_as_long_as_its_link(scene: Living,
     wait(lambda: not there(scene))
 
 
-def test_who_has_recorded_no_consent_is_not_lent(scene: Living, address: str, theirs: Path) -> None:
+def test_who_has_recorded_no_consent_is_not_lent(scene: RunningScene, address: str, theirs: Path) -> None:
     finished(theirs, "shy", consent=False)
     with lending(address, theirs) as said:
         wait(lambda: any(one.startswith("not lent") for one in said))
     assert not there(scene)
 
 
-def test_nobody_lends_without_the_token_and_no_page_does(scene: Living, address: str, theirs: Path) -> None:
+def test_nobody_lends_without_the_token_and_no_page_does(scene: RunningScene, address: str, theirs: Path) -> None:
     with served(scene, bool) as url:
         page_token = url.rstrip("/").rsplit("/", 1)[1]
         for wrong in ("guess", "", page_token):
@@ -119,7 +121,7 @@ def test_nobody_lends_without_the_token_and_no_page_does(scene: Living, address:
         lend_folder(address, theirs / "none", print)
 
 
-def test_a_link_that_sends_no_clone_is_told_or_closed(scene: Living, address: str, newcomer) -> None:
+def test_a_link_that_sends_no_clone_is_told_or_closed(scene: RunningScene, address: str, newcomer) -> None:
     own, _ = newcomer
     sizes = [len(own.files[name]) for name in FILES]
     data = b"".join(own.files[name] for name in FILES)
@@ -152,8 +154,8 @@ def test_a_link_that_sends_no_clone_is_told_or_closed(scene: Living, address: st
 
 
 @pytest.mark.parametrize("name", ["atlas.webp", "shell.webp", "numbers.bin"])
-def test_files_of_another_kind_are_named(scene: Living, newcomer, name: str) -> None:
+def test_files_of_another_kind_are_named(scene: RunningScene, newcomer, name: str) -> None:
     own, facts = newcomer
-    assert lent_of(own.row, own.files, facts, scene.body).touches.shape == own.touches.shape
+    assert parse_clone(own.row, own.files, facts, scene.body).touches.shape == own.touches.shape
     with pytest.raises(ClonerError, match=name.replace(".", r"\.")):
-        lent_of(own.row, {**own.files, name: own.files["codes.webp"][:40]}, facts, scene.body)
+        parse_clone(own.row, {**own.files, name: own.files["codes.webp"][:40]}, facts, scene.body)

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from cloner.crowd.staged.rooms import light_at
-from cloner.scenes.building.charts import grid_of
-from cloner.scenes.building.reading import plan_of
-from cloner.scenes.building.solids import Room, room_of
-from cloner.scenes.lighting.direct import lamp_at, sun_way
-from cloner.scenes.lighting.light import Lit, cell_of, lit_room
-from cloner.scenes.lighting.probes import probes_of
-from cloner.scenes.lighting.rays import Stops, hemisphere, sphere
+from cloner.scenes.building.charts import make_grid
+from cloner.scenes.building.reading import parse_plan
+from cloner.scenes.building.solids import Room, build_room
+from cloner.scenes.lighting.direct import lamp_share_at, sun_direction
+from cloner.scenes.lighting.light import Lit, cells_at, light_room
+from cloner.scenes.lighting.probes import make_probes
+from cloner.scenes.lighting.rays import RayQuads, hemisphere_directions, sphere_directions
 
 ALBEDO = 0.8  # of the look "white"
 SIZE = (5.0, 4.0, 3.0)
@@ -37,14 +37,14 @@ SUN = "[sun]\ntowards_deg = 90\nelevation_deg = 35\nlight = [4, 4, 4]\n"
 
 
 def lit(text: str, texel_m: float = 0.05, rays: int = 400) -> tuple[Room, Lit]:
-    room = room_of(plan_of(text, "test"))
-    return room, lit_room(room, texel_m=texel_m, rays=rays)
+    room = build_room(parse_plan(text, "test"))
+    return room, light_room(room, texel_m=texel_m, rays=rays)
 
 
 def own(room: Room, light: Lit, k: int) -> tuple[np.ndarray, np.ndarray, object]:
     """A chart's light, whether it is there, and its grid."""
     chart = light.charts[k]
-    grid = grid_of(room, chart.panel, chart.size)
+    grid = make_grid(room, chart.panel, chart.size)
     return light.map[chart.y : chart.y + chart.size[1], chart.x : chart.x + chart.size[0], 0], grid.there, grid
 
 
@@ -97,7 +97,7 @@ def test_the_suns_border_lies_where_the_window_casts_it() -> None:
     room, light = lit(box(SUN, WINDOW), texel_m=0.04, rays=64)
     k = next(k for k, one in enumerate(light.charts) if one.panel.normal[1] > 0.9 and one.panel.size[1] > 3.9)
     values, _, grid = own(room, light, k)
-    way = sun_way(room.plan.sun)
+    way = sun_direction(room.plan.sun)
     slope = way[0] / way[1]
     line = values[len(grid.v) // 2]
     bright = grid.u[line > line.min() + 1.0]
@@ -132,7 +132,7 @@ def figure(place) -> tuple[np.ndarray, np.ndarray]:
 def test_a_grey_figure_in_the_light_of_probes_is_lit_as_rays_light_it(place) -> None:
     """Means over the figure within 10 %: its own shadow is left to the contact shadow."""
     room, light = lit(box(LAMP + SKY, WINDOW), rays=300)
-    probes = probes_of(room, light)
+    probes = make_probes(room, light)
     places, normals = figure(place)
     held, _ = light_at(probes, np.array([[place[0], 1.1, -place[1]]]))
     by_probes = np.maximum(held[0, 0, 0] + normals @ held[0, 0, 1:], 0.0)
@@ -143,19 +143,19 @@ def test_a_grey_figure_in_the_light_of_probes_is_lit_as_rays_light_it(place) -> 
 def traced_at(room: Room, light: Lit, place: np.ndarray, normal: np.ndarray, rays: int = 600) -> float:
     """Irradiance by rays alone: surfaces, sky, and the lamp where it is seen."""
     up = np.array([0.0, 1.0, 0.0])
-    turned = hemisphere(rays) @ np.array([np.cross(up, normal), up, normal])
-    quad, _, where = light.stops.first(place, turned)
-    given = light.patches.given[cell_of(light.patches, quad, where)][:, 0]
+    turned = hemisphere_directions(rays) @ np.array([np.cross(up, normal), up, normal])
+    quad, _, where = light.stops.first_hits(place, turned)
+    given = light.patches.given[cells_at(light.patches, quad, where)][:, 0]
     given[(quad < 0) & (turned[:, 1] > 0)] = room.plan.sky.light[0]
-    lamps = sum(one.light[0] * lamp_at(place[None], normal, light.stops, one)[0] for one in room.plan.lamps)
+    lamps = sum(one.light[0] * lamp_share_at(place[None], normal, light.stops, one)[0] for one in room.plan.lamps)
     return float(given.mean() + lamps)
 
 
 def test_rays_agree_with_a_slow_look_at_every_quad() -> None:
-    room = room_of(plan_of(box(hole=WINDOW), "test"))
-    stops, origin = Stops(room.stops), np.array([2.2, 1.1, -1.7])
-    ways = sphere(500)
-    found, away, _ = stops.first(origin, ways)
+    room = build_room(parse_plan(box(hole=WINDOW), "test"))
+    stops, origin = RayQuads(room.stops), np.array([2.2, 1.1, -1.7])
+    ways = sphere_directions(500)
+    found, away, _ = stops.first_hits(origin, ways)
     for way, quad, far in zip(ways, found, away, strict=True):
         best = np.inf
         for one in room.stops:

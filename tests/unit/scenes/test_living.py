@@ -20,7 +20,7 @@ from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
 from cloner.scenes.served import living
-from cloner.scenes.served.minds import HEAD_S, Look, Minds, minds_of
+from cloner.scenes.served.minds import HEAD_S, RunningScenario, WalkerFeet, start_scenario
 from cloner.scenes.served.newcomers import Newcomer
 from cloner.scenes.served.serving import serve_folder
 from kit.crowds import dressed_toy, saved
@@ -32,12 +32,14 @@ PEOPLE = 5  # who act; the sixth part is that of whoever walks along
 pytestmark = [pytest.mark.gl, pytest.mark.slow]
 
 
-def minds_in(built: Path) -> Minds:
+def minds_in(built: Path) -> RunningScenario:
     facts = read_facts(built)
-    return minds_of(read_text(facts["scenario"]["text"]), 1, read_acted(built, facts), facts["people"][0]["clips"])
+    return start_scenario(
+        read_text(facts["scenario"]["text"]), 1, read_acted(built, facts), facts["people"][0]["clips"]
+    )
 
 
-def walked(minds: Minds, times: np.ndarray) -> list[np.ndarray]:
+def walked(minds: RunningScenario, times: np.ndarray) -> list[np.ndarray]:
     """Everybody's footings as a page gathers them."""
     ways = [np.zeros((0, COLUMNS), np.float32) for _ in minds.feet.look]
     for now in times:
@@ -95,12 +97,12 @@ def test_who_joins_while_minds_think_does_not_wait_for_them(built: Path, hot: Pa
     key = hello_of(scene)["newcomers"][0]["key"]
     thinks, free = threading.Event(), threading.Event()
 
-    def think(minds: Minds, shown_s: float) -> dict:
+    def think(minds: RunningScenario, shown_s: float) -> dict:
         thinks.set()
         free.wait(60.0)
         return {}
 
-    monkeypatch.setattr(Minds, "go_on", think)
+    monkeypatch.setattr(RunningScenario, "go_on", think)
     going = threading.Thread(target=scene.go_on, daemon=True)
     going.start()
     assert thinks.wait(10.0)
@@ -124,17 +126,17 @@ def test_who_leaves_is_gone_when_the_feet_have_left_and_no_part_is_free_then(bui
     for who, way in enumerate(ways[:PEOPLE]):
         assert way[-1, UNTIL] == pytest.approx(minds.gone_s[who], abs=1.0)
     with pytest.raises(ClonerError, match="nobody's part is free"):
-        minds.goes(frozenset())
+        minds.farthest_walker(frozenset())
 
 
 def test_a_newcomer_walks_on_with_its_own_feet_where_another_walked(built: Path) -> None:
     facts = read_facts(built)
     acted, minds = read_acted(built, facts), minds_in(built)
     ways = walked(minds, np.arange(0, 8.0, 0.5))
-    who = minds.goes(frozenset())
+    who = minds.farthest_walker(frozenset())
     assert who < 3, "a walker's part, not a watcher's"
     other = 1 - int(acted.people[who, 1, 2])
-    at = minds.dress(who, Look(acted.touches[other], acted.clips[other], 1.0))
+    at = minds.set_feet(who, WalkerFeet(acted.touches[other], acted.clips[other], 1.0))
     assert 8.0 < at + 0.5 < 8.0 + HEAD_S
     more = walked(minds, np.arange(8.0, 25.0, 0.5))[who]
     way = np.concatenate([ways[who][ways[who][:, FROM] < more[0, FROM]], more])
@@ -192,7 +194,7 @@ def test_who_is_forgotten_leaves_no_file_and_gives_the_part_back(built: Path, ho
 def test_the_newest_stay_and_a_clone_made_anew_comes_again(built: Path, hot: Path, monkeypatch) -> None:
     own = read_acted(built, read_facts(built))
     one = Newcomer({}, {}, own.touches[0], own.clips[0])
-    monkeypatch.setattr(living, "newcomer_of", lambda *_: one)
+    monkeypatch.setattr(living, "make_newcomer", lambda *_: one)
     monkeypatch.setattr(living, "MOST", 2)
     scene, said = shown(built, hot)
     for number, name in enumerate("abc"):

@@ -9,13 +9,13 @@ import pytest
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.scenes.building.charts import charts_of
-from cloner.scenes.building.gltf import meshes_of
-from cloner.scenes.building.looks import Look, drawn, sheet_of
-from cloner.scenes.building.photos import straightened
-from cloner.scenes.building.reading import plan_of
-from cloner.scenes.building.solids import room_of
-from cloner.scenes.written import make_folder, room_in
+from cloner.scenes.building.charts import make_charts
+from cloner.scenes.building.gltf import make_meshes
+from cloner.scenes.building.looks import Look, procedural_look, texture_sheet
+from cloner.scenes.building.photos import rectify
+from cloner.scenes.building.reading import parse_plan
+from cloner.scenes.building.solids import build_room
+from cloner.scenes.written import make_folder, read_built_room
 
 SIZE_M, PHOTO_PX, FOCAL_PX = (1.6, 1.2), (900, 700), 800.0
 TURN = np.radians(38.0)
@@ -66,7 +66,7 @@ def plan(tmp_path: Path) -> Path:
 def test_a_photo_from_aside_shows_what_is_painted_where_it_is(texel_m: float) -> None:
     rgb, corners = taken()
     size = round(SIZE_M[0] / texel_m), round(SIZE_M[1] / texel_m)
-    out = straightened(rgb, corners, size)
+    out = rectify(rgb, corners, size)
     assert out.shape == (size[1], size[0], 3)
     x, y = np.meshgrid((np.arange(size[0]) + 0.5) * texel_m, (np.arange(size[1]) + 0.5) * texel_m)
     off = np.abs(out - painted(x, y))
@@ -77,12 +77,12 @@ def test_a_photo_from_aside_shows_what_is_painted_where_it_is(texel_m: float) ->
 def test_it_hangs_there_once_the_right_way_up_and_is_kept_with_the_room(plan: Path) -> None:
     make_folder(str(plan), plan.parent / "room")
     (plan.parent / "oil.png").unlink()
-    room = room_in(plan.parent / "room")
+    room = read_built_room(plan.parent / "room")
     look = room.looks["oil"]
     assert look.pixels.shape == (120, 160, 3)
     mean = painted(*np.meshgrid(np.linspace(0, 1.6, 200), np.linspace(0, 1.2, 150))).mean(axis=(0, 1))
     assert look.pixels.mean(axis=(0, 1)) == pytest.approx(mean, abs=1.5)
-    [mesh] = [one for one in meshes_of(*charts_of(room), room.looks) if one.look == "oil"]
+    [mesh] = [one for one in make_meshes(*make_charts(room), room.looks) if one.look == "oil"]
     front = mesh.normals[:, 2] > 0.99  # towards who stands in the hall and looks at it
     places, uv = mesh.places[front], mesh.uv[front]
     assert uv[:, 0] == pytest.approx((places[:, 0] - 1.2) / 1.6, abs=1e-6)
@@ -91,9 +91,9 @@ def test_it_hangs_there_once_the_right_way_up_and_is_kept_with_the_room(plan: Pa
 
 def test_on_a_wall_with_a_door_it_goes_on_beyond_the_door() -> None:
     hole = "openings = [{ at = 2, wide = 1, low = 0, high = 2 }]\n"
-    made = plan_of(FLOOR + WALL.replace("LOOK", "oil") + hole + told(SQUARE), "hall.toml")
-    room = room_of(made, {"oil": Look(drawn("stone").pixels, SIZE_M, np.ones(3), fits=True)})
-    [mesh] = [one for one in meshes_of(*charts_of(room), room.looks) if one.look == "oil"]
+    made = parse_plan(FLOOR + WALL.replace("LOOK", "oil") + hole + told(SQUARE), "hall.toml")
+    room = build_room(made, {"oil": Look(procedural_look("stone").pixels, SIZE_M, np.ones(3), fits=True)})
+    [mesh] = [one for one in make_meshes(*make_charts(room), room.looks) if one.look == "oil"]
     front = mesh.normals[:, 2] > 0.99
     assert mesh.uv[front, 0] == pytest.approx(mesh.places[front, 0] / SIZE_M[0], abs=1e-6)
     assert mesh.uv[front, 1] == pytest.approx(-mesh.places[front, 1] / SIZE_M[1], abs=1e-6)
@@ -101,13 +101,13 @@ def test_on_a_wall_with_a_door_it_goes_on_beyond_the_door() -> None:
 
 def test_the_pages_textures_have_one_side_and_procedural_ones_still_no_border() -> None:
     photo = Look(np.full((300, 900, 3), 90, np.uint8), SIZE_M, np.ones(3), fits=True)
-    sheet = sheet_of([drawn("flags"), photo])
+    sheet = texture_sheet([procedural_look("flags"), photo])
     assert sheet.shape == (2048, 1024, 3)
     flags = sheet[:1024].astype(float)
     inner = np.abs(np.diff(flags, axis=1)).mean()
     assert np.abs(flags[:, 0] - flags[:, -1]).mean() < 2.0 * inner
-    assert np.abs(flags.mean(axis=(0, 1)) - drawn("flags").pixels.mean(axis=(0, 1))).max() < 0.5
-    assert sheet_of([drawn("flags"), drawn("stone")]).shape == (512, 256, 3)
+    assert np.abs(flags.mean(axis=(0, 1)) - procedural_look("flags").pixels.mean(axis=(0, 1))).max() < 0.5
+    assert texture_sheet([procedural_look("flags"), procedural_look("stone")]).shape == (512, 256, 3)
 
 
 @pytest.mark.parametrize(
@@ -130,7 +130,7 @@ def test_the_pages_textures_have_one_side_and_procedural_ones_still_no_border() 
 )
 def test_wrong_photos_are_refused_in_one_sentence(text: str, said: str) -> None:
     with pytest.raises(ClonerError) as error:
-        plan_of(FLOOR + text, "hall.toml")
+        parse_plan(FLOOR + text, "hall.toml")
     assert said in str(error.value)
 
 

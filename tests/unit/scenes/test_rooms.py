@@ -9,10 +9,10 @@ import pytest
 
 from cloner.behaviour.language import read_scenario
 from cloner.errors import ClonerError
-from cloner.scenes.building.charts import PAD, charts_of
-from cloner.scenes.building.gltf import meshes_of
-from cloner.scenes.building.reading import SHIPPED, plan_of, read_plan
-from cloner.scenes.building.solids import room_of
+from cloner.scenes.building.charts import PAD, make_charts
+from cloner.scenes.building.gltf import make_meshes
+from cloner.scenes.building.reading import SHIPPED, parse_plan, read_plan
+from cloner.scenes.building.solids import build_room
 
 SAMPLE = Path(__file__).parents[3] / "samples" / "museum.crowd"
 FLOOR = '[[floor]]\nfrom = [0, 0]\nto = [4, 3]\nlook = "flags"\n'
@@ -39,7 +39,7 @@ def test_the_museum_stands_where_its_scenario_walks() -> None:
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_walls_stand_beside_floors_and_doors_stay_open(name: str) -> None:
-    room = room_of(read_plan(name)[0])
+    room = build_room(read_plan(name)[0])
     for one in room.plan.floors:
         x, y = np.meshgrid(np.linspace(one.low[0] + 0.05, one.high[0] - 0.05, 40),
                            np.linspace(one.low[1] + 0.05, one.high[1] - 0.05, 40))  # fmt: skip
@@ -56,7 +56,7 @@ def test_walls_stand_beside_floors_and_doors_stay_open(name: str) -> None:
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_every_pillar_has_all_its_sides(name: str) -> None:
-    room = room_of(read_plan(name)[0])
+    room = build_room(read_plan(name)[0])
     shafts = [one for one in room.panels if abs(one.normal[1]) < 1e-9 and one.size[0] < 0.3 and one.size[1] > 4.0]
     assert len(shafts) == 8 * sum(one.pillar for one in room.plan.blocks)
 
@@ -64,7 +64,7 @@ def test_every_pillar_has_all_its_sides(name: str) -> None:
 def test_a_wall_is_there_behind_what_hangs_before_its_middle_and_a_base_has_a_top() -> None:
     hung = '[[block]]\nname = "a"\nat = [2, 2.95]\nsize = [1, 0.1]\nlow = 1\nhigh = 2\nlook = "stone"\n'
     stood = '[[pillar]]\nnames = ["b"]\nat = [[1, 1]]\nsize = [0.8, 0.8]\nhigh = 3\nlook = "stone"\n'
-    room = room_of(plan_of(FLOOR + WALL + hung + stood, "x.toml"))
+    room = build_room(parse_plan(FLOOR + WALL + hung + stood, "x.toml"))
     assert any(one.normal[2] > 0.99 and one.size == pytest.approx((4.0, 3.0)) for one in room.panels)
     level = [one for one in room.panels if abs(one.normal[1]) > 0.99 and one.size == pytest.approx((0.8, 0.8))]
     assert sorted(float(one.normal[1]) for one in level) == [-1.0, 1.0, 1.0]  # below the capital, on it, on the base
@@ -72,15 +72,15 @@ def test_a_wall_is_there_behind_what_hangs_before_its_middle_and_a_base_has_a_to
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_charts_do_not_overlap_and_floors_have_texels_of_4_cm(name: str) -> None:
-    room = room_of(read_plan(name)[0])
-    charts, (wide, tall) = charts_of(room)
+    room = build_room(read_plan(name)[0])
+    charts, (wide, tall) = make_charts(room)
     taken = np.zeros((tall, wide), int)
     for chart in charts:
         taken[chart.y - PAD : chart.y + chart.size[1] + PAD, chart.x - PAD : chart.x + chart.size[0] + PAD] += 1
         if chart.panel.normal[1] > 0.99 and chart.panel.corner[1] < 1e-6:
             assert max(np.array(chart.panel.size) / (np.array(chart.size) - 1)) <= 0.04 + 1e-9
     assert taken.max() == 1
-    for mesh in meshes_of(charts, (wide, tall), room.looks):
+    for mesh in make_meshes(charts, (wide, tall), room.looks):
         assert ((mesh.light_uv > 0.0) & (mesh.light_uv < 1.0)).all()
         corners = mesh.places[mesh.triangles]
         turned = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -107,5 +107,5 @@ def test_charts_do_not_overlap_and_floors_have_texels_of_4_cm(name: str) -> None
 )
 def test_wrong_plans_are_refused_in_one_sentence(text: str, said: str) -> None:
     with pytest.raises(ClonerError) as error:
-        plan_of(text, "x.toml")
+        parse_plan(text, "x.toml")
     assert said in str(error.value)

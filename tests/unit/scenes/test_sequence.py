@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cloner.errors import ClonerError
-from cloner.scenes.films.sequence import Key, Order, read_sequence, sequence_of
+from cloner.scenes.films.sequence import Key, Order, parse_sequence, read_sequence
 
 BEGIN = """film "A night" for 12 s, 640 x 360, 10 frames a second
 actor first is anna at 3, 4 facing 90 in stone, .3 m deep   # a comment
@@ -20,12 +20,12 @@ at 0 s: camera at 7, -6, 1.7 looks at first, lens 30
 
 def said(line: str) -> str:
     with pytest.raises(ClonerError) as told:
-        sequence_of(BEGIN + line, "a.film")
+        parse_sequence(BEGIN + line, "a.film")
     return told.value.message
 
 
 def test_actors_and_rows_stand_where_they_are_told_to() -> None:
-    film = sequence_of(BEGIN, "a.film")
+    film = parse_sequence(BEGIN, "a.film")
     assert (film.title, film.seconds, film.size_px, film.rate_hz) == ("A night", 12.0, (640, 360), 10.0)
     first, second = film.actors[:2]
     assert (first.clone, first.at, first.facing_deg, first.stone, first.up) == ("anna", (3.0, 4.0), 90.0, True, -0.3)
@@ -35,7 +35,7 @@ def test_actors_and_rows_stand_where_they_are_told_to() -> None:
 
 
 def test_what_happens_is_kept_with_its_time() -> None:
-    film = sequence_of(
+    film = parse_sequence(
         BEGIN
         + "at 1 s: first awakens in 4 s\nat 2.5 s: army walks by 0, -3 happy\nat 3 s: first turns to second\n"
         + 'at 4 s: light .1, .2, .3 in 2 s\nat 5 s: caption "Who am I?" for 2 s\n'
@@ -81,11 +81,11 @@ def test_what_is_not_understood_is_told_with_its_place_and_what_was_expected(lin
 
 def test_a_film_without_camera_or_actors_is_refused() -> None:
     with pytest.raises(ClonerError, match="nobody plays"):
-        sequence_of('film "none"\n', "a.film")
+        parse_sequence('film "none"\n', "a.film")
     with pytest.raises(ClonerError, match="no camera"):
-        sequence_of("actor first is anna at 3, 4\n", "a.film")
+        parse_sequence("actor first is anna at 3, 4\n", "a.film")
     with pytest.raises(ClonerError, match="before it moves"):
-        sequence_of("actor first is anna at 3, 4\nat 0 s: camera moves to 1, 1, 1 looks at 0, 0, 0 in 2 s", "a.film")
+        parse_sequence("actor first is anna at 3, 4\nat 0 s: camera moves to 1, 1, 1 looks at 0, 0, 0 in 2 s", "a.film")
 
 
 def test_the_sample_and_every_line_of_the_documents_are_understood() -> None:
@@ -98,4 +98,4 @@ def test_the_sample_and_every_line_of_the_documents_are_understood() -> None:
     cast = "actor second is anna at 7, 9, head at 7, 8\nat 0 s: camera at 1, 1, 1 looks at second\n"
     begin = [one for one in rows if not one.startswith("at ")]
     for one in [*begin, *(one for one in rows if one.startswith("at "))]:
-        sequence_of("\n".join([*begin, cast, *([one] if one.startswith("at ") else [])]), one)
+        parse_sequence("\n".join([*begin, cast, *([one] if one.startswith("at ") else [])]), one)

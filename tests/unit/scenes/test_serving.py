@@ -20,8 +20,8 @@ from websockets.sync.client import ClientConnection, connect
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
-from cloner.scenes.served.living import Living
-from cloner.scenes.served.serving import HOST, LONGEST_BYTES, MOST_PAGES, going_on, served
+from cloner.scenes.served.living import RunningScene
+from cloner.scenes.served.serving import HOST, LONGEST_BYTES, MOST_PAGES, advancing, served
 from kit.browser import CHROMIUM, browser
 from kit.living import finished, hello_of, shown
 
@@ -54,9 +54,9 @@ def answered(page: ClientConnection, said: str) -> dict:
 
 
 @pytest.fixture
-def open_scene(built: Path, hot: Path) -> Iterator[tuple[Living, str]]:
+def open_scene(built: Path, hot: Path) -> Iterator[tuple[RunningScene, str]]:
     scene, _ = shown(built, hot)
-    with served(scene, "42".__eq__) as url, going_on(scene):
+    with served(scene, "42".__eq__) as url, advancing(scene):
         yield scene, url
 
 
@@ -159,7 +159,7 @@ def test_there_are_so_many_places_and_they_are_given_back(open_scene) -> None:
 def test_at_the_end_nothing_listens(built: Path, hot: Path) -> None:
     scene, _ = shown(built, hot)
     with ExitStack() as stack:
-        with served(scene, bool) as url, going_on(scene):
+        with served(scene, bool) as url, advancing(scene):
             page = stack.enter_context(page_at(url))
             assert json.loads(page.recv(timeout=60))["kind"] == "hello"
         assert [json.loads(one)["kind"] for one in page][-1] == "over"
@@ -173,7 +173,7 @@ def in_page(page, url: str) -> None:
     page.wait_for("document.body?.dataset.ready === 'yes' && live.rejoined !== null", 120)
 
 
-def watched(scene: Living, over: threading.Event) -> None:
+def watched(scene: RunningScene, over: threading.Event) -> None:
     while not over.wait(0.2) and not scene.over:
         scene.look()
 
@@ -183,7 +183,7 @@ def test_the_camera_finds_who_has_come_and_who_is_forgotten_is_gone(built: Path,
     scene, _ = shown(built, hot)
     over = threading.Event()
     threading.Thread(target=watched, args=(scene, over), daemon=True).start()
-    with served(scene, "42".__eq__) as url, going_on(scene), browser(tmp_path / "profile") as page:
+    with served(scene, "42".__eq__) as url, advancing(scene), browser(tmp_path / "profile") as page:
         in_page(page, url)
         assert page.value("[state.camera, document.querySelector('#knobs').style.display]") == ["live", "none"]
         before = page.value("[stage.people.length, acted.people.length]")
@@ -230,7 +230,7 @@ def test_two_browsers_see_the_same_people_and_one_that_was_cut_off_is_back(built
     finished(hot, "eve")
     scene.look()
     with (
-        served(scene, bool) as url, going_on(scene),
+        served(scene, bool) as url, advancing(scene),
         browser(tmp_path / "one") as first, browser(tmp_path / "two") as second,
     ):  # fmt: skip
         for page in (first, second):

@@ -14,9 +14,9 @@ from cloner.crowd.clones.faces import TARGETS
 from cloner.crowd.staged.faces import MOST_AT_ONCE, SpeechTrack, Utterance
 from cloner.crowd.staged.footing import COLUMNS, FEELS, FROM, LAST, UNTIL, Acted, felt_at
 from cloner.errors import ClonerError
-from cloner.scenes.films.hearing import RATE_HZ, Source, heard
-from cloner.scenes.films.sequence import sequence_of
-from cloner.scenes.films.voices import voices_of
+from cloner.scenes.films.hearing import RATE_HZ, Source, mix_stereo
+from cloner.scenes.films.sequence import parse_sequence
+from cloner.scenes.films.voices import read_voices
 from cloner.vision.photographs.films import write_film
 
 BEGIN = """film "Talk" for 4 s, 64 x 48, 4 frames a second
@@ -36,8 +36,8 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_lips_meet_when_phonemes_say_so_and_a_sound_is_kept(folder: Path) -> None:
-    parts, voices = voices_of(
-        sequence_of(BEGIN + 'at 1 s: ada says "mama.txt"\nat 2 s: pair says "tone.wav"\n', "a"), folder
+    parts, voices = read_voices(
+        parse_sequence(BEGIN + 'at 1 s: ada says "mama.txt"\nat 2 s: pair says "tone.wav"\n', "a"), folder
     ) or pytest.fail("nobody speaks")
     assert [one.when for one in voices.said] == [1.0, 2.0, 2.0]
     assert sorted(parts.files) == ["speech/1.wav", "spoken.bin"], "phonemes make no sound"
@@ -55,21 +55,23 @@ def test_a_mouth_is_between_two_rows_and_still_before_and_after() -> None:
 
 
 def test_too_many_at_a_time_or_one_twice_is_told(folder: Path) -> None:
-    nine = sequence_of(BEGIN + 'at 1 s: choir says "mama.txt"\n', "a")
+    nine = parse_sequence(BEGIN + 'at 1 s: choir says "mama.txt"\n', "a")
     with pytest.raises(ClonerError, match=rf"9 speak at 1 s\. Let at most {MOST_AT_ONCE} speak"):
-        voices_of(nine, folder)
+        read_voices(nine, folder)
     with pytest.raises(ClonerError, match=r"ada is still speaking at 1\.5 s"):
-        voices_of(sequence_of(BEGIN + 'at 1 s: ada says "mama.txt"\nat 1.5 s: ada says "tone.wav"\n', "a"), folder)
+        read_voices(parse_sequence(BEGIN + 'at 1 s: ada says "mama.txt"\nat 1.5 s: ada says "tone.wav"\n', "a"), folder)
     with pytest.raises(ClonerError, match=r"none\.wav"):
-        voices_of(sequence_of(BEGIN + 'at 1 s: ada says "none.wav"\n', "a"), folder)
-    assert voices_of(sequence_of(BEGIN, "a"), folder) is None
+        read_voices(parse_sequence(BEGIN + 'at 1 s: ada says "none.wav"\n', "a"), folder)
+    assert read_voices(parse_sequence(BEGIN, "a"), folder) is None
 
 
 def test_who_is_on_the_right_is_heard_there_and_louder_when_near() -> None:
     tone = np.sin(np.arange(RATE_HZ) * 0.05)
 
     def energy(head: tuple[float, float, float]) -> np.ndarray:
-        out = heard([Source(0.5, 0, tone)], 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array(head)))
+        out = mix_stereo(
+            [Source(0.5, 0, tone)], 2.0, lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array(head))
+        )
         assert not out[: RATE_HZ // 2].any()
         assert not out[RATE_HZ // 2 + RATE_HZ :].any()
         return np.asarray((out**2).sum(axis=0))
@@ -88,7 +90,7 @@ def test_a_room_rings_after_the_voice_where_it_has_an_echo() -> None:
     wavfile.write(stream, 22_050, ring)
     said = [Source(0.0, 0, np.sin(np.arange(4_800) * 0.05))]
     ear = lambda *_: (np.zeros(3), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -2.0]))  # noqa: E731
-    inside, outside = (heard(said, 2.0, ear, (stream.getvalue(), box)) for box in ((-5, -5, 5, 5), (8, 8, 9, 9)))
+    inside, outside = (mix_stereo(said, 2.0, ear, (stream.getvalue(), box)) for box in ((-5, -5, 5, 5), (8, 8, 9, 9)))
     late = slice(round(0.49 * RATE_HZ), round(0.62 * RATE_HZ))
     assert np.abs(inside[late]).max() == pytest.approx(np.abs(outside[late]).max() / 0.15, rel=1e-3)
     assert np.abs(outside[late]).max() > 1e-3

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.scenes.building.reading import plan_of
-from cloner.scenes.building.solids import room_of
-from cloner.scenes.building.walkable import BODY_M, CELL_M, walkable_of
+from cloner.scenes.building.reading import parse_plan
+from cloner.scenes.building.solids import build_room
+from cloner.scenes.building.walkable import BODY_M, CELL_M, make_walkable
 
 PLAN = """
 [[floor]]
@@ -41,7 +41,7 @@ look = "timber"
 
 
 def test_walls_and_things_stop_doors_and_beams_do_not() -> None:
-    raster, low, step = walkable_of(room_of(plan_of(PLAN, "a plan")))
+    raster, low, step = make_walkable(build_room(parse_plan(PLAN, "a plan")))
     assert (low, step) == ((0.0, -4.0), CELL_M)
 
     def free(x: float, y: float) -> bool:
