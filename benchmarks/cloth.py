@@ -14,11 +14,11 @@ from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import BodySpecification
-from cloner.cloth.drafting.blocks import BLOCKS, draft
-from cloner.cloth.dressing import CYCLES, GARMENTS, STEP_M, Dressed, pattern_of, pictures
+from cloner.cloth.drafting.blocks import BLOCKS, draft_block
+from cloner.cloth.dressing import CYCLES, GARMENTS, STEP_M, DressedClone, find_pattern, pictures
 from cloner.cloth.simulation.fabrics import FABRICS
-from cloner.cloth.simulation.loop import REPEATS, Loop, best_loop
-from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
+from cloner.cloth.simulation.loop import REPEATS, Loop, find_loop
+from cloner.cloth.simulation.moving import BLEND, SETTLE, WornGarment, place_garment, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
 from cloner.evaluate.measures.crossings import self_intersections
@@ -34,7 +34,7 @@ SAMPLES = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) 
 FEW = 4
 
 
-def depths_m(worn: Worn, frame: int, points: Array) -> Array:
+def depths_m(worn: WornGarment, frame: int, points: Array) -> Array:
     """Return how deep points lie inside the skin of a frame, by its nearest sample: no part of the solver's own contact."""
     skin = worn.body.posed(worn.root_m[frame], worn.rotations[frame])
     corner = skin[worn.body.triangles]
@@ -46,7 +46,7 @@ def depths_m(worn: Worn, frame: int, points: Array) -> Array:
     return -np.einsum("ij,ij->i", points - places.reshape(-1, 3)[near], normal[row])
 
 
-def measured(worn: Worn, frames: dict[int, Array]) -> tuple[int, int, float, float]:
+def measured(worn: WornGarment, frames: dict[int, Array]) -> tuple[int, int, float, float]:
     """Return vertices inside, triangles' middles inside, of all frames, the share of middles, and the deepest, mm."""
     inside = centres = 0
     deepest, total = 0.0, 0
@@ -68,12 +68,12 @@ def jolt(loop: Loop) -> tuple[float, float]:
     return float(max(most[0], most[-1])), float(np.median(most))
 
 
-def crossed_triangles(places: Array, worn: Worn) -> int:
+def crossed_triangles(places: Array, worn: WornGarment) -> int:
     """Return how many triangles of the cloth cut others."""
     return len(np.unique(self_intersections(places, worn.cloth.faces).pairs))
 
 
-def refused(places: Array, worn: Worn) -> bool:
+def refused(places: Array, worn: WornGarment) -> bool:
     """Return whether ipctk finds a self-crossing (pip install ipctk)."""
     import ipctk
 
@@ -81,14 +81,14 @@ def refused(places: Array, worn: Worn) -> bool:
     return bool(ipctk.has_intersections(mesh, places))
 
 
-def simulated(worn: Worn, cycles: int) -> tuple[list[Array], float]:
+def simulated(worn: WornGarment, cycles: int) -> tuple[list[Array], float]:
     """Return the walk's frames (N, 3), and CPU seconds a frame."""
     begun = time.process_time()
     places = [state.places_m for number, state in simulate(worn, cycles) if number >= 0]
     return places, (time.process_time() - begun) / (len(places) + SETTLE + BLEND)
 
 
-def strain_of(worn: Worn, frames: Array) -> list[float]:
+def strain_of(worn: WornGarment, frames: Array) -> list[float]:
     """Return the 99th percentile of strain in each frame."""
     return [float(np.quantile(strains(worn.sheet, frame), 0.99)) for frame in frames]
 
@@ -103,10 +103,12 @@ def every_garment(clone: Clone) -> list[str]:
     ]  # fmt: skip
     motion = own_motions(clone)[0]
     for garment in GARMENTS:
-        pattern, level = pattern_of(clone, garment, None)
-        worn = put_on(clone, pattern, body_ring(clone, level) if level else None, FABRICS["cotton"], motion, STEP_M)
+        pattern, level = find_pattern(clone, garment, None)
+        worn = place_garment(
+            clone, pattern, body_ring(clone, level) if level else None, FABRICS["cotton"], motion, STEP_M
+        )
         places, spent = simulated(worn, FEW)
-        loop = best_loop(worn, np.array(places))
+        loop = find_loop(worn, np.array(places))
         sewn = crossed_triangles(worn.start.places_m, worn)
         crossed = [crossed_triangles(frame, worn) for frame in loop.frames_m]
         strain = np.median(strain_of(worn, loop.frames_m))
@@ -128,10 +130,10 @@ def integrators(clone: Clone) -> list[str]:
     ]  # fmt: skip
     ring = body_ring(clone, "natural_waist")
     for name, elements in (("threads", False), ("elements", True)):
-        pattern = draft(BLOCKS["skirt"], ring.girth_m, 0.6)
-        worn = put_on(clone, pattern, ring, FABRICS["cotton"], own_motions(clone)[0], STEP_M, elements=elements)
+        pattern = draft_block(BLOCKS["skirt"], ring.girth_m, 0.6)
+        worn = place_garment(clone, pattern, ring, FABRICS["cotton"], own_motions(clone)[0], STEP_M, elements=elements)
         places, spent = simulated(worn, FEW)
-        loop, strain = best_loop(worn, np.array(places)), strain_of(worn, places[30:])
+        loop, strain = find_loop(worn, np.array(places)), strain_of(worn, places[30:])
         seam, usual = jolt(loop)
         crossed = max(crossed_triangles(frame, worn) for frame in loop.frames_m)
         lines.append(
@@ -152,8 +154,8 @@ def long_runs(clone: Clone) -> list[str]:
         "| what | vertices | frames | CPU s a frame | vertices inside | middles of triangles inside | deepest | farthest below its first height |", "| --- | --- | --- | --- | --- | --- | --- | --- |",
     ]  # fmt: skip
     for what, garment, step, cycles in (("skirt, 20 cycles", "skirt", STEP_M, 20), ("tee, 20 cycles, held by friction alone", "tee", STEP_M, 20), ("skirt of 10,000", "skirt", 0.0109, 3)):  # fmt: skip
-        pattern, level = pattern_of(clone, garment, None)
-        worn = put_on(clone, pattern, body_ring(clone, level) if level else None, FABRICS["cotton"], own_motions(clone)[0], step)  # fmt: skip
+        pattern, level = find_pattern(clone, garment, None)
+        worn = place_garment(clone, pattern, body_ring(clone, level) if level else None, FABRICS["cotton"], own_motions(clone)[0], step)  # fmt: skip
         places, spent = simulated(worn, cycles)
         inside, centres, share, deepest = measured(worn, dict(enumerate(places)))
         top = [
@@ -180,12 +182,12 @@ def main() -> None:
     motion, ring = own_motions(clone)[0], body_ring(clone, "natural_waist")
     fabric = FABRICS[asked.fabric]
     begun = time.process_time()
-    worn = put_on(clone, draft(BLOCKS["skirt"], ring.girth_m, 0.6), ring, fabric, motion, STEP_M)
+    worn = place_garment(clone, draft_block(BLOCKS["skirt"], ring.girth_m, 0.6), ring, fabric, motion, STEP_M)
     put = time.process_time() - begun
     places, spent = simulated(worn, asked.cycles)
     stretched = strain_of(worn, places)
     begun = time.process_time()
-    loop = best_loop(worn, np.array(places))
+    loop = find_loop(worn, np.array(places))
     closing = time.process_time() - begun
     raw = measured(worn, {k: places[k] for k in range(60, len(places), 7)})
     closed = measured(worn, dict(enumerate(loop.frames_m)))
@@ -213,7 +215,7 @@ def main() -> None:
     lines += integrators(clone) + long_runs(clone) + every_garment(clone)
     (DOCS / "cloth_benchmark.md").write_text("\n".join(lines), encoding="utf-8")
     print("\n".join(lines))
-    shown = list(pictures(Dressed(clone, motion, worn, loop, fabric, np.zeros((0, worn.cloth.count, 3)))))[
+    shown = list(pictures(DressedClone(clone, motion, worn, loop, fabric, np.zeros((0, worn.cloth.count, 3)))))[
         :: max(1, len(loop.frames_m) // 8)
     ]
     sheet = Image.fromarray(np.hstack(shown))

@@ -19,9 +19,9 @@ from cloner.bodies.population import SEXES, STATURE_MM, SURVEY_MM
 from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.cut import Cloth
 from cloner.cloth.drafting.pattern import check_pattern, length_m
-from cloner.cloth.dressing import GARMENTS, Dressed, dressed, pattern_of
+from cloner.cloth.dressing import GARMENTS, DressedClone, dress_clone, find_pattern
 from cloner.cloth.simulation.fabrics import FABRICS
-from cloner.cloth.simulation.moving import SETTLE, Worn, put_on, simulate
+from cloner.cloth.simulation.moving import SETTLE, WornGarment, place_garment, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
@@ -74,16 +74,16 @@ def edges(cloth: Cloth) -> tuple[int, int]:
     return int((count > 2).sum()), int(connected_components(graph, directed=False)[0])
 
 
-def worn_by(clone: Clone, garment: str) -> tuple[Worn, float]:
+def worn_by(clone: Clone, garment: str) -> tuple[WornGarment, float]:
     """Return a garment put on, and the largest difference of a seam's two edges, mm."""
-    pattern, level = pattern_of(clone, garment, None)
+    pattern, level = find_pattern(clone, garment, None)
     check_pattern(pattern, garment)
     unlike = max(abs(length_m(pattern.edge(one)) - length_m(pattern.edge(other))) for one, other in pattern.seams)
     ring = body_ring(clone, level) if level else None
-    return put_on(clone, pattern, ring, FABRICS["cotton"], own_motions(clone)[0], STEP_M), 1e3 * unlike
+    return place_garment(clone, pattern, ring, FABRICS["cotton"], own_motions(clone)[0], STEP_M), 1e3 * unlike
 
 
-def picture(clone: Clone, worn: Worn) -> np.ndarray:
+def picture(clone: Clone, worn: WornGarment) -> np.ndarray:
     """Return a garment settled at rest, from the front and from behind."""
     places = next(state.places_m for number, state in simulate(worn, 1) if number == SETTLE - 48)
     faces = worn.cloth.faces.astype(np.int32)
@@ -95,7 +95,7 @@ def picture(clone: Clone, worn: Worn) -> np.ndarray:
     return np.vstack(shown)
 
 
-def below(inner: Dressed, outer: Dressed) -> tuple[float, float]:
+def below(inner: DressedClone, outer: DressedClone) -> tuple[float, float]:
     """Return the share of an outer garment's points that lie 2 mm and more inside an inner one, and the deepest, mm."""
     shares, deepest = [], []
     for cloth, points in zip(inner.loop.frames_m, outer.loop.frames_m, strict=True):
@@ -119,9 +119,9 @@ def layered(people: dict[str, Clone]) -> list[str]:
         for first, second in PAIRS:
             begun, made = time.process_time(), []
             for garment, over in ((first, False), (second, True), (second, False)):
-                pattern, level = pattern_of(clone, garment, None)
+                pattern, level = find_pattern(clone, garment, None)
                 made.append(
-                    dressed(
+                    dress_clone(
                         clone,
                         pattern,
                         level,

@@ -38,7 +38,8 @@ INTERFACE = {
     ),
     "Bodies, clothes, statues": (
         "cloner.bodies.made:clone_of_measures", "cloner.bodies.made:remeasured_clone",
-        "cloner.bodies.undressed:undressed_clone", "cloner.cloth.dressing:dressed", "cloner.statues.carved:statue_of",
+        "cloner.bodies.undressed:undressed_clone", "cloner.cloth.dressing:dress_clone",
+        "cloner.statues.carved:statue_of",
     ),
     "Running stages alone": (
         "cloner.making:clone_photos", "cloner.pipeline:run", "cloner.pipeline:Stage", "cloner.pipeline:StageReport",

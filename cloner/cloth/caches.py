@@ -18,7 +18,7 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner import __version__
-from cloner.cloth.dressing import Dressed
+from cloner.cloth.dressing import DressedClone
 from cloner.cloth.glb import ROUGHNESS
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
@@ -28,18 +28,18 @@ from cloner.exporters.vat import columns, mesh_glb, vat_pictures
 from cloner.geometry.meshes.wedges import vertex_normals
 
 
-def _closed_m(found: Dressed) -> NDArray[np.float64]:
+def _closed_frames_m(found: DressedClone) -> NDArray[np.float64]:
     """Return (F + 1, N, 3) the loop's frames and the first again, metres."""
     return np.concatenate([found.loop.frames_m, found.loop.frames_m[:1]])
 
 
-def pc2(found: Dressed) -> bytes:
+def pc2(found: DressedClone) -> bytes:
     """Return the outermost garment's vertices in every frame of the loop; the last repeats the first."""
-    frames = _closed_m(found).astype("<f4")
+    frames = _closed_frames_m(found).astype("<f4")
     return struct.pack("<12siiffi", b"POINTCACHE2\0", 1, frames.shape[1], 0.0, 1.0, len(frames)) + frames.tobytes()
 
 
-def obj(found: Dressed) -> bytes:
+def obj(found: DressedClone) -> bytes:
     """Return the garment's mesh in the first frame: the cache's order of vertices, flat pieces' metres as texture."""
     cloth = found.worn.cloth
     lines = [f"# {found.fabric.name}, metres, Y up", "o Garment"]
@@ -53,7 +53,7 @@ def obj(found: Dressed) -> bytes:
     return ("\n".join(lines) + "\n").encode()
 
 
-def vat(found: Dressed) -> dict[str, bytes]:
+def vat(found: DressedClone) -> dict[str, bytes]:
     """Return the outermost garment as a vertex animation texture: picture, remap file and mesh by their names' ends."""
     cloth, frames = found.worn.cloth, found.loop.frames_m
     faces = cloth.faces.astype(np.int32)
@@ -78,7 +78,7 @@ def vat(found: Dressed) -> dict[str, bytes]:
     return files | {".glb": mesh_glb(gltf, buffer, primitive, "Garment", "Garment")}
 
 
-def usd(found: Dressed) -> bytes:
+def usd(found: DressedClone) -> bytes:
     """Return a USD file (binary) of all garments: a mesh each, with points at every frame.
 
     Raises
@@ -103,9 +103,9 @@ def usd(found: Dressed) -> bytes:
         return path.read_bytes()
 
 
-def _add_mesh(pxr: Any, stage: Any, one: Dressed, name: str) -> None:
+def _add_mesh(pxr: Any, stage: Any, one: DressedClone, name: str) -> None:
     """Add a garment's mesh with its points in every frame."""
-    cloth, frames = one.worn.cloth, _closed_m(one)
+    cloth, frames = one.worn.cloth, _closed_frames_m(one)
     mesh = pxr.UsdGeom.Mesh.Define(stage, f"/{name}")
     mesh.CreateSubdivisionSchemeAttr(pxr.UsdGeom.Tokens.none)
     mesh.CreateDoubleSidedAttr(True)

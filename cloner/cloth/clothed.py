@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.spatial import cKDTree
 
-from cloner.cloth.dressing import Dressed
-from cloner.cloth.simulation.covered import covered
+from cloner.cloth.dressing import DressedClone
+from cloner.cloth.simulation.covered import deeply_covered
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.moving import SETTLE
-from cloner.cloth.simulation.wearer import wearer
+from cloner.cloth.simulation.wearer import make_wearer
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.load import load_generic
@@ -45,7 +45,7 @@ UNDER_M: Final = -0.003
 
 
 def check_folder(out: Path, clone_path: Path, formats: Sequence[str]) -> None:
-    """Refuse what no result can be written to, before any work.
+    """Refuse a folder that cannot become a result, before any work.
 
     Raises
     ------
@@ -58,11 +58,11 @@ def check_folder(out: Path, clone_path: Path, formats: Sequence[str]) -> None:
         raise ClonerError("the clone would be replaced by itself dressed", "Choose another name", out.name)
 
 
-def write_clothed(
-    found: Dressed, clone: Clone, source: Path, out: Path, garments: Sequence[str], formats: Sequence[str],
+def write_garments_as_result(
+    found: DressedClone, clone: Clone, source: Path, out: Path, garments: Sequence[str], formats: Sequence[str],
     progress: Progress,
 ) -> None:  # fmt: skip
-    """Write a clone in its garments as a result, which belongs to the same visitor.
+    """Write a clone in its garments as a result of the same visitor.
 
     Parameters
     ----------
@@ -84,18 +84,18 @@ def write_clothed(
     ClonerError
         If something cannot be written.
     """
-    worn, flow = clothed(found, clone)
+    worn, flow = with_garment_shell(found, clone)
     progress("export", 0.9)
     fabrics = [one.fabric.name for one in found.layers]
     options = {"garment": list(garments), "fabric": fabrics, "motion": found.motion.name}
-    write_worn(worn, source, out, options, formats, flow)
+    write_shell_as_result(worn, source, out, options, formats, flow)
     progress("done", 1.0)
 
 
-def write_worn(
+def write_shell_as_result(
     worn: Clone, source: Path, out: Path, options: Mapping[str, Any], formats: Sequence[str], flow: Flow | None = None
 ) -> None:
-    """Write a clone that wears something as a result of its source's visitor, and how that flows.
+    """Write a clone with a worn shell, and the shell's motion, as a result of its source's visitor.
 
     Raises
     ------
@@ -109,8 +109,8 @@ def write_worn(
         write_result(worn, folder, f"Body {name}", formats, make_manifest(worn, "dressed", options, source))
 
 
-def clothed(found: Dressed, clone: Clone) -> tuple[Clone, Flow]:
-    """Return a clone that wears its garments as one shell, in place of cloth that was photographed; and their flow."""
+def with_garment_shell(found: DressedClone, clone: Clone) -> tuple[Clone, Flow]:
+    """Return a clone whose garments form one shell in place of its photographed loose clothes, and their motion."""
     layers = found.layers
     starts = np.cumsum([0, *(len(one.worn.cloth.flat_m) for one in layers)])
     triangles = np.concatenate(
@@ -118,20 +118,20 @@ def clothed(found: Dressed, clone: Clone) -> tuple[Clone, Flow]:
     )
     hung = np.concatenate([one.put_m[SETTLE - 1][one.worn.cloth.vertex] for one in layers])
     frames = np.concatenate([one.loop.frames_m[:, one.worn.cloth.vertex] for one in layers], axis=1)
-    joints, weights = _carried(found, hung, triangles)
+    joints, weights = _skin_weights(found, hung, triangles)
     shell = Shell(
         hung, triangles, np.concatenate([_uv(one, k, len(layers)) for k, one in enumerate(layers)]), joints, weights,
         np.concatenate([_picture(one.fabric, len(layers)) for one in layers], axis=1), SHELL,
     )  # fmt: skip
-    hidden = np.any([covered(one.worn, one.loop.frames_m, UNDER_M) for one in layers], axis=0)
+    hidden = np.any([deeply_covered(one.worn, one.loop.frames_m, UNDER_M) for one in layers], axis=0)
     root, rotations = (each.astype(np.float32) for each in (found.worn.root_m, found.worn.rotations))
     kept = tuple(one for one in clone.shells if one.kind != SHELL)
     return replace(clone, shells=(*kept, shell)), Flow(frames.astype(np.float32), root, rotations, hidden)
 
 
-def _carried(found: Dressed, hung_m: Array, triangles: NDArray[np.int64]) -> tuple[NDArray[np.int32], Array]:
-    """Return joints (N, 4) and weights (N, 4): those of the nearest skin, evened over the cloth."""
-    generic, rows = load_generic(), wearer(found.clone, whole=True).rows
+def _skin_weights(found: DressedClone, hung_m: Array, triangles: NDArray[np.int64]) -> tuple[NDArray[np.int32], Array]:
+    """Return joints (N, 4) and weights (N, 4) of the nearest skin, smoothed over the cloth."""
+    generic, rows = load_generic(), make_wearer(found.clone, whole=True).rows
     near = rows[cKDTree(found.clone.vertices_m[rows]).query(hung_m)[1]]
     _, weld = np.unique(np.round(hung_m, 6), axis=0, return_inverse=True)
     weld = weld.reshape(-1)
@@ -152,8 +152,8 @@ def _carried(found: Dressed, hung_m: Array, triangles: NDArray[np.int64]) -> tup
     return joints[weld], weights[weld]
 
 
-def _uv(one: Dressed, place: int, count: int) -> Array:
-    """Return (W, 2) places in the picture: the pieces as they were cut, each in a column of the garment's part."""
+def _uv(one: DressedClone, place: int, count: int) -> Array:
+    """Return (W, 2) texture coordinates: the pieces as they were cut, each garment in its column of the picture."""
     flat, segment = one.worn.cloth.flat_m, one.worn.cloth.segment
     pieces = int(segment.max()) + 1
     sizes = np.array([np.ptp(flat[segment == k], axis=0) for k in range(pieces)]).max(axis=0)

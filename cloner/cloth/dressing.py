@@ -1,4 +1,4 @@
-"""Dressing of a clone: the garment is found or drafted, put on, simulated in a walk, and closed to a loop."""
+"""Dressing of a clone: the garment is found or drafted, placed, simulated in a walk, and closed to a loop."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.cloth.drafting.blocks import BLOCKS, draft
+from cloner.cloth.drafting.blocks import BLOCKS, draft_block
 from cloner.cloth.drafting.freesewing import read_svg_garment
 from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import Sections, sections
-from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, tailored
-from cloner.cloth.resumed import keep, kept, told_by
+from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, draft_tailored
+from cloner.cloth.resumed import read_checkpoint, simulation_digest, write_checkpoint
 from cloner.cloth.simulation.fabrics import FABRICS, Fabric, read_fabric
 from cloner.cloth.simulation.layered import Under
-from cloner.cloth.simulation.loop import Loop, best_loop
-from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
+from cloner.cloth.simulation.loop import Loop, find_loop
+from cloner.cloth.simulation.moving import BLEND, SETTLE, WornGarment, place_garment, simulate
 from cloner.cloth.simulation.placing import Ring, body_ring
 from cloner.errors import ClonerError
 from cloner.generic.layers import Layer, clone_layers
@@ -64,12 +64,12 @@ LEGS_M: Final = 0.10
 SIZE_PX: Final = (480, 720)
 
 
-def unwatched(places_m: Array, root_m: Array, rotations: Array) -> None:
-    """See a frame of cloth and do nothing."""
+def ignore_frame(places_m: Array, root_m: Array, rotations: Array) -> None:
+    """Ignore a frame of cloth."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Dressed:
+class DressedClone:
     """A clone and its garment in a closed loop.
 
     Attributes
@@ -82,26 +82,26 @@ class Dressed:
 
     clone: Clone
     motion: Motion
-    worn: Worn
+    worn: WornGarment
     loop: Loop
     fabric: Fabric
     put_m: Array
-    under: Dressed | None = None
+    under: DressedClone | None = None
 
     @property
-    def layers(self) -> tuple[Dressed, ...]:
-        """All garments that are worn, the innermost first."""
+    def layers(self) -> tuple[DressedClone, ...]:
+        """All worn garments, the innermost first."""
         return (*(() if self.under is None else self.under.layers), self)
 
     def below(self) -> Under:
-        """Return all garments as what another is worn over."""
+        """Return all garments as the lower layers of another one."""
         starts = np.cumsum([0, *(one.worn.cloth.count for one in self.layers)])
         faces = [one.worn.cloth.faces + start for one, start in zip(self.layers, starts, strict=False)]
         put = np.concatenate([one.put_m for one in self.layers], axis=1)
         return Under(np.concatenate(faces), put, np.concatenate([one.loop.frames_m for one in self.layers], axis=1))
 
 
-def dressed(
+def dress_clone(
     clone: Clone,
     pattern: Pattern,
     ring_level: str | None,
@@ -110,21 +110,23 @@ def dressed(
     *,
     cycles: int = CYCLES,
     step_m: float = STEP_M,
-    under: Dressed | None = None,
+    under: DressedClone | None = None,
     elements: bool = False,
     resumed: Path | None = None,
     progress: Progress = no_progress,
-) -> Dressed:
-    """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
+) -> DressedClone:
+    """Return a clone with a garment that moves in a loop with a cyclic motion; ``ring_level`` only if it hangs from a
+    ring.
+    """
     made = Dressing(
         clone, pattern, ring_level, fabric, motion,
         cycles=cycles, step_m=step_m, under=under, elements=elements, resumed=resumed,
     )  # fmt: skip
-    return made.walked(progress=progress)
+    return made.simulate_walk(progress=progress)
 
 
 class Dressing:
-    """A garment on its way: arranged round the clone, sewn and hung, walked with; each step begins where one ended.
+    """A garment during dressing: placed around the clone, settled, walked with; each step continues the one before.
 
     Parameters
     ----------
@@ -153,45 +155,50 @@ class Dressing:
         *,
         cycles: int = CYCLES,
         step_m: float = STEP_M,
-        under: Dressed | None = None,
+        under: DressedClone | None = None,
         elements: bool = False,
         resumed: Path | None = None,
     ) -> None:
         ring = body_ring(clone, ring_level) if ring_level is not None else None
         below = None if under is None else under.below()
-        self.worn, self._under = put_on(clone, pattern, ring, fabric, motion, step_m, below, elements=elements), under
+        self.worn, self._under = (
+            place_garment(clone, pattern, ring, fabric, motion, step_m, below, elements=elements),
+            under,
+        )
         self._clone, self._fabric, self._motion, self._cycles = clone, fabric, motion, cycles
         self._frames: list[Array] = []
         self._resumed, state = resumed, None
         if resumed is not None:
-            self._key = told_by(self.worn, cycles)
-            self._frames, state = kept(resumed, self._key) or ([], None)
+            self._key = simulation_digest(self.worn, cycles)
+            self._frames, state = read_checkpoint(resumed, self._key) or ([], None)
         self._moving = simulate(self.worn, cycles, len(self._frames), state)
 
-    def hung(self, watch: Watch = unwatched, *, progress: Progress = no_progress) -> None:
-        """Let the garment hang on the clone at rest; ``watch`` sees every frame."""
+    def settle(self, watch: Watch = ignore_frame, *, progress: Progress = no_progress) -> None:
+        """Let the garment settle on the clone at rest; ``watch`` sees every frame."""
         while len(self._frames) < SETTLE:
             places = self._next()
-            watch(self.with_below(places, len(self._frames) - 1), np.zeros(3), np.zeros_like(self.worn.rotations[0]))
+            watch(self.over_below(places, len(self._frames) - 1), np.zeros(3), np.zeros_like(self.worn.rotations[0]))
             progress("sew", len(self._frames) / SETTLE)
 
-    def walked(self, watch: Watch = unwatched, *, progress: Progress = no_progress) -> Dressed:
-        """Walk with it until a loop is found; ``watch`` sees every frame, once it walks."""
-        self.hung(progress=lambda _, __: progress("cloth", 0.0))
+    def simulate_walk(self, watch: Watch = ignore_frame, *, progress: Progress = no_progress) -> DressedClone:
+        """Simulate the walk until a loop is found; ``watch`` sees every frame of the walk."""
+        self.settle(progress=lambda _, __: progress("cloth", 0.0))
         put, count = SETTLE + BLEND - 1, len(self.worn.rotations)
         total = self._cycles * count
         while len(self._frames) < put + total:
             number, places = len(self._frames) - put, self._next()
             if number >= 0:
-                all_m = self.with_below(places, number + put)
+                all_m = self.over_below(places, number + put)
                 watch(all_m, self.worn.root_m[number % count], self.worn.rotations[number % count])
             progress("cloth", WALKED * max(number, 0) / total)
         places = np.array(self._frames)
-        loop = best_loop(self.worn, places[put:], lambda gone: progress("loop", WALKED + (1.0 - WALKED) * gone))
-        return Dressed(self._clone, self._motion, self.worn, loop, self._fabric, places[: put + count], self._under)
+        loop = find_loop(self.worn, places[put:], lambda gone: progress("loop", WALKED + (1.0 - WALKED) * gone))
+        return DressedClone(
+            self._clone, self._motion, self.worn, loop, self._fabric, places[: put + count], self._under
+        )
 
-    def with_below(self, places_m: Array, frame: int) -> Array:
-        """Return the points of what is worn below in a frame from the beginning on, and this garment's after them."""
+    def over_below(self, places_m: Array, frame: int) -> Array:
+        """Return the points of the layers below in a frame, followed by this garment's."""
         under = self.worn.under
         return places_m if under is None else np.concatenate([under.at(frame), places_m])
 
@@ -199,12 +206,12 @@ class Dressing:
         state = next(self._moving)[1]
         self._frames.append(state.places_m)
         if self._resumed is not None and len(self._frames) % len(self.worn.rotations) == 0:
-            keep(self._resumed, self._key, self._clone.stamp, self._frames, state)
+            write_checkpoint(self._resumed, self._key, self._clone.stamp, self._frames, state)
         return state.places_m
 
 
-def fabric_named(name: str) -> Fabric:
-    """Return a fabric by its name, or that of a file (.toml).
+def find_fabric(name: str) -> Fabric:
+    """Return a fabric by its name, or of a file (.toml).
 
     Raises
     ------
@@ -222,8 +229,8 @@ def fabric_named(name: str) -> Fabric:
     return FABRICS[name]
 
 
-def pattern_of(clone: Clone, garment: str, length_cm: float | None) -> tuple[Pattern, str | None]:
-    """Return the pieces of a named garment or a file's, and the level of the ring that they hang from, if any.
+def find_pattern(clone: Clone, garment: str, length_cm: float | None) -> tuple[Pattern, str | None]:
+    """Return the pieces of a named garment or a file's, and the level of the ring they hang from, if any.
 
     Raises
     ------
@@ -243,18 +250,18 @@ def pattern_of(clone: Clone, garment: str, length_cm: float | None) -> tuple[Pat
         lowest = LEGS_M + body.waist_m - float(body.place("crotch")[1]) if garment == TROUSERS else LENGTHS_M[0]
         if length is not None:
             _check_length(garment, length, lowest, body.waist_m)
-        return tailored(garment, body, length), None
+        return draft_tailored(garment, body, length), None
     block = BLOCKS[garment]
     ring: Ring = body_ring(clone, block.ring)
     high = float(ring.points_m[0, 1])
     length = block.share * high if length is None else length
     _check_length(garment, length, LENGTHS_M[0], high)
-    least = _clear_of_hips(sections(clone), ring.girth_m) if block.ring == WAIST else 0.0
-    return draft(block, ring.girth_m, length, least), block.ring
+    least = _hip_clearance_rad(sections(clone), ring.girth_m) if block.ring == WAIST else 0.0
+    return draft_block(block, ring.girth_m, length, least), block.ring
 
 
-def _clear_of_hips(body: Sections, ring_m: float) -> float:
-    """Return the sectors' least angle, radians, with which what hangs from the waist goes round the hips with ease."""
+def _hip_clearance_rad(body: Sections, ring_m: float) -> float:
+    """Return the sectors' least angle, radians, with which a garment hung from the waist clears the hips."""
     depths = np.arange(HIPS_M, body.waist_m - float(body.place("crotch")[1]), 0.02)
     return max(
         (HIP_EASE * body.girth("trunk", body.waist_m - float(depth)) - ring_m) / float(depth) for depth in depths
@@ -267,7 +274,7 @@ def _check_length(garment: str, length: float, lowest: float, high: float) -> No
         raise ClonerError(f"a {garment} of {100 * length:g} cm cannot be cut", hint, "--length")
 
 
-def motion_of(clone: Clone, motion: str) -> Motion:
+def find_motion(clone: Clone, motion: str) -> Motion:
     """Return the clone's own walk, or a captured one as a cycle.
 
     Raises
@@ -284,8 +291,8 @@ def motion_of(clone: Clone, motion: str) -> Motion:
     return walk_cycle(body, retarget(read_bvh(path), body, name=path.stem))
 
 
-def pictures(found: Dressed, turn_deg: float = 30.0) -> Iterator[NDArray[np.uint8]]:
-    """Yield the loop's pictures."""
+def pictures(found: DressedClone, turn_deg: float = 30.0) -> Iterator[NDArray[np.uint8]]:
+    """Yield the loop's rendered pictures."""
     camera = framing_camera(found.clone.vertices_m, turn_deg, *SIZE_PX)
     for frame in range(len(found.loop.frames_m)):
         shown = [

@@ -24,9 +24,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from cloner.cloth.clothed import SHELL, check_folder, write_worn
-from cloner.cloth.simulation.core.host import pushed_out
-from cloner.cloth.simulation.wearer import skin_between, wearer
+from cloner.cloth.clothed import SHELL, check_folder, write_shell_as_result
+from cloner.cloth.simulation.core.host import push_out_of_skin
+from cloner.cloth.simulation.wearer import make_wearer, skin_interval
 from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.generic.load import load_generic
@@ -60,8 +60,8 @@ _HINT: Final = "Give a .mhclo of MakeHuman's community, its .obj and .mhmat besi
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Fitted:
-    """A garment as its files tell it.
+class MakeHumanGarment:
+    """A garment as its files describe it.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ class Fitted:
 def fit_folder(
     clone_path: Path, garment: Path, out: Path, *, formats: Sequence[str], progress: Progress = no_progress
 ) -> tuple[str, ...]:
-    """Write a clone in a garment of the user's own as a result; return what to say of it.
+    """Write a clone in a garment of the user's own as a result; return a report.
 
     Parameters
     ----------
@@ -111,16 +111,16 @@ def fit_folder(
         )
     check_folder(out, clone_path, formats)
     progress("body", 0.0)
-    clone, found = load_clone_at(clone_path), read_fitted(garment)
+    clone, found = load_clone_at(clone_path), read_mhclo(garment)
     shell = fitted_shell(clone, found)
-    worn = replace(clone, shells=(*(one for one in clone.shells if one.kind != SHELL), _together(clone, shell)))
+    worn = replace(clone, shells=(*(one for one in clone.shells if one.kind != SHELL), _merged_shells(clone, shell)))
     progress("export", 0.5)
-    write_worn(worn, clone_path, out, {"garment": [garment.stem]}, formats)
+    write_shell_as_result(worn, clone_path, out, {"garment": [garment.stem]}, formats)
     progress("done", 1.0)
     return (f"{len(found.rows)} vertices of {garment.stem} lie on the skin", str(out))
 
 
-def read_fitted(path: Path) -> Fitted:
+def read_mhclo(path: Path) -> MakeHumanGarment:
     """Return the garment in a ``.mhclo`` file, its mesh and its picture.
 
     Raises
@@ -161,18 +161,18 @@ def read_fitted(path: Path) -> Fitted:
     if len(mesh.vertices_m) != len(rows):
         told_both = f"the garment has {len(rows)} rows and its mesh {len(mesh.vertices_m)} vertices"
         raise ClonerError(told_both, _HINT, mesh_file.name)
-    return Fitted(indices, numbers[:, 3:6], numbers[:, 6:] * UNIT_M, spans, mesh, _picture(path, told))
+    return MakeHumanGarment(indices, numbers[:, 3:6], numbers[:, 6:] * UNIT_M, spans, mesh, _picture(path, told))
 
 
 def _beside(file: Path, path: Path) -> Path:
-    """Return a file of the garment's own folder; none elsewhere is read."""
+    """Return the path of a file in the garment's own folder; others are refused."""
     if file.parent != path.parent or len(file.name) > LONGEST_NAME or not file.is_file():
         raise ClonerError(f"{file.name[:60]!r} does not lie beside the garment", _HINT, path.name)
     return file
 
 
 def _picture(path: Path, told: dict[str, list[str]]) -> NDArray[np.uint8]:
-    """Return the garment's picture, plain grey where its material names none that is there."""
+    """Return the garment's picture, plain grey if its material names none that exists."""
     material = path.with_name(Path(told["material"][0]).name) if told.get("material") else None
     if material is not None and material.is_file():
         for line in read_untrusted_text(material, "the material", _HINT, LARGEST_BYTES, errors="replace").splitlines():
@@ -208,28 +208,28 @@ def base_mesh_m(clone: Clone) -> Array:
     return np.concatenate([skin_m, np.einsum("nk,nka->na", weight, skin_m[near]) + beside])
 
 
-def fitted_shell(clone: Clone, garment: Fitted) -> Shell:
-    """Return a garment on a clone at rest, outside the skin, carried as the skin that its rows name."""
+def fitted_shell(clone: Clone, garment: MakeHumanGarment) -> Shell:
+    """Return a garment on a clone at rest, outside the skin, with the weights of the skin that its rows name."""
     base = base_mesh_m(clone)
     scale = np.ones(3)
     for axis, (one, other, length) in garment.spans.items():
         scale[axis] = abs(float(base[one, axis] - base[other, axis])) / length
     places = np.einsum("nk,nka->na", garment.weights, base[garment.rows]) + garment.beside_m * scale
-    body = wearer(clone, whole=True)
-    now = skin_between(body, clone.vertices_m[body.rows], clone.vertices_m[body.rows])
+    body = make_wearer(clone, whole=True)
+    now = skin_interval(body, clone.vertices_m[body.rows], clone.vertices_m[body.rows])
     mesh = garment.mesh
     ends = mesh.triangles[:, [[0, 1, 2], [0, 1, 1], [1, 2, 2], [2, 0, 0]]].reshape(-1, 3)  # middles, and those of sides
     for _ in range(PUSHES):
-        places = pushed_out(places, now, CLEAR_M, DEEP_M)
+        places = push_out_of_skin(places, now, CLEAR_M, DEEP_M)
         middles = places[ends].mean(axis=1)
-        out = pushed_out(middles, now, CLEAR_M, DEEP_M)
+        out = push_out_of_skin(middles, now, CLEAR_M, DEEP_M)
         pushed = np.flatnonzero((out != middles).any(axis=1))
         corners = ends[pushed].ravel()
         count = np.maximum(np.bincount(corners, minlength=len(places)), 1)
         for axis in range(3):
             more = np.repeat((out - middles)[pushed, axis], 3)
             places[:, axis] += np.bincount(corners, more, len(places)) / count
-    joints, weights = _carried(garment)
+    joints, weights = _skin_weights(garment)
     both = np.stack([mesh.triangles, mesh.uv_triangles], axis=2).reshape(-1, 2)
     wedges, corner = np.unique(both, axis=0, return_inverse=True)
     vertex, flat = wedges.T
@@ -244,7 +244,7 @@ def fitted_shell(clone: Clone, garment: Fitted) -> Shell:
     )
 
 
-def _carried(garment: Fitted) -> tuple[NDArray[np.int32], Array]:
+def _skin_weights(garment: MakeHumanGarment) -> tuple[NDArray[np.int32], Array]:
     """Return joints and weights (N, 4) of a garment's vertices: those of the skin that its rows name."""
     generic, (near, weight, _) = load_generic(), _helpers()
     given = np.maximum(generic.skin_weights[:SKIN], 0.0)
@@ -253,8 +253,8 @@ def _carried(garment: Fitted) -> tuple[NDArray[np.int32], Array]:
     return strongest_weights(np.einsum("nk,nkj->nj", np.maximum(garment.weights, 0.0), base[garment.rows]))
 
 
-def _together(clone: Clone, shell: Shell) -> Shell:
-    """Return a clone's cloth and one more garment as one shell, their pictures beside each other."""
+def _merged_shells(clone: Clone, shell: Shell) -> Shell:
+    """Return a clone's cloth and one more garment as one shell, their pictures side by side."""
     worn = [one for one in clone.shells if one.kind == SHELL]
     if not worn:
         return shell

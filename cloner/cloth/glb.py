@@ -8,8 +8,8 @@ import numpy as np
 import pygltflib
 from numpy.typing import NDArray
 
-from cloner.cloth.dressing import Dressed
-from cloner.cloth.simulation.covered import covered
+from cloner.cloth.dressing import DressedClone
+from cloner.cloth.simulation.covered import deeply_covered
 from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf import build
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
@@ -22,7 +22,7 @@ ROUGHNESS: Final = 0.9
 MASKED: Final = "under the garment"
 
 
-class _Later(GltfBuffer):
+class _AppendedBuffer(GltfBuffer):
     """A buffer that continues a finished file's."""
 
     def __init__(self, gltf: Any, before: bytes) -> None:
@@ -30,14 +30,14 @@ class _Later(GltfBuffer):
         self._chunks, self._length = [before], len(before)
 
 
-def glb(found: Dressed) -> bytes:
-    """Return the walking clone with its garments: a morph target a frame, shown in turn by the walk's own animation.
+def glb(found: DressedClone) -> bytes:
+    """Return the walking clone with its garments: one morph target per frame, switched by the walk's own animation.
 
     Skin that cloth always covers has a material of its own, which is not seen; nothing is taken away.
     """
     gltf = build(found.clone, moves=lambda _: (found.motion,))
-    _hide(gltf, np.any([covered(one.worn, one.loop.frames_m) for one in found.layers], axis=0))
-    buffer = _Later(gltf, gltf.binary_blob())
+    _hide(gltf, np.any([deeply_covered(one.worn, one.loop.frames_m) for one in found.layers], axis=0))
+    buffer = _AppendedBuffer(gltf, gltf.binary_blob())
     for number, one in enumerate(found.layers, start=1):
         _add(gltf, buffer, one, "Garment" if number == 1 else f"Garment {number}")
     data = buffer.data()
@@ -46,8 +46,8 @@ def glb(found: Dressed) -> bytes:
     return glb_bytes(gltf)
 
 
-def _add(gltf: Any, buffer: GltfBuffer, one: Dressed, name: str) -> None:
-    """Add a garment's mesh with its targets, its material, and when each target is on."""
+def _add(gltf: Any, buffer: GltfBuffer, one: DressedClone, name: str) -> None:
+    """Add a garment's mesh with its targets, its material, and the keys of each target."""
     cloth, frames = one.worn.cloth, one.loop.frames_m
     faces = cloth.faces.astype(np.int32)
     normals = np.array([vertex_normals(frame, faces) for frame in frames])
@@ -76,7 +76,7 @@ def _add(gltf: Any, buffer: GltfBuffer, one: Dressed, name: str) -> None:
 
 
 def _show_in_turn(gltf: Any, buffer: GltfBuffer, count: int, seconds: float, node: int) -> None:
-    """Add to the first animation that one frame's target after the other is fully on; the first frame has none."""
+    """Add to the first animation that one frame's target after the other is fully on; the first frame needs none."""
     weights = np.zeros((count + 1, count - 1))
     weights[np.arange(1, count), np.arange(count - 1)] = 1.0
     times = buffer.values(np.arange(count + 1) / count * seconds, bounds=True)
@@ -88,7 +88,7 @@ def _show_in_turn(gltf: Any, buffer: GltfBuffer, count: int, seconds: float, nod
 
 
 def _hide(gltf: Any, hidden: NDArray[np.bool_]) -> None:
-    """Give the skin's triangles whose three vertices are hidden (V,) a primitive with a material that is not seen."""
+    """Give the skin's triangles whose three vertices are hidden (V,) a primitive with an invisible material."""
     surface, primitive = load_surfaces()[0], gltf.meshes[0].primitives[0]
     under = hidden[surface.vertex[surface.triangles]].all(axis=1)
     if not under.any() or under.all():

@@ -1,4 +1,4 @@
-"""Checkpoints of a simulation, so that one that was stopped can continue."""
+"""Checkpoints of a simulation, so that an interrupted one can continue."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 
 import cloner
 from cloner.cloth.simulation.forces import Slips
-from cloner.cloth.simulation.moving import Worn
+from cloner.cloth.simulation.moving import WornGarment
 from cloner.cloth.simulation.solver import State
 from cloner.exporters.shared.files import write_bytes
 from cloner.project.archives import BROKEN, open_archive
@@ -21,24 +21,24 @@ from cloner.records.arrays import Array
 MOST_BYTES: Final = 2 << 30
 
 
-def kept_path(out: Path, number: int) -> Path:
-    """Return the path of the ``number``-th garment's frames while ``out`` is made: hidden, beside it."""
+def checkpoint_path(out: Path, number: int) -> Path:
+    """Return the path of the ``number``-th garment's checkpoint while ``out`` is made: hidden, beside it."""
     return out.with_name(f".{out.name}.{number}.frames")
 
 
-def told_by(worn: Worn, cycles: int) -> str:
-    """Return a digest of all that a simulation follows from."""
+def simulation_digest(worn: WornGarment, cycles: int) -> str:
+    """Return a digest of everything that determines a simulation."""
     digest = hashlib.sha256(repr((cloner.__version__, cycles, worn.system is None, worn.sheet.fabric)).encode())
     below = () if worn.under is None else (worn.under.put_m, worn.under.loop_m)
     sheet = worn.sheet
     cloth = (worn.start.places_m, sheet.rest_m, sheet.mass_kg, sheet.held)
-    for values in (*cloth, worn.met_in(0).skin_m, *below, worn.root_m, worn.rotations):
+    for values in (*cloth, worn.colliders_in(0).skin_m, *below, worn.root_m, worn.rotations):
         digest.update(np.ascontiguousarray(values).tobytes())
     return digest.hexdigest()
 
 
-def keep(path: Path, key: str, stamp: str, frames_m: list[Array], state: State) -> None:
-    """Keep frames (F, N, 3) and the state after the last of them; readable by their owner alone.
+def write_checkpoint(path: Path, key: str, stamp: str, frames_m: list[Array], state: State) -> None:
+    """Write frames (F, N, 3) and the state after the last of them; readable by their owner alone.
 
     The clone's ``stamp`` stands in it as in every output, so that what is left of a visitor is found.
 
@@ -56,8 +56,8 @@ def keep(path: Path, key: str, stamp: str, frames_m: list[Array], state: State) 
     write_bytes(path, data.getvalue())
 
 
-def kept(path: Path, key: str) -> tuple[list[Array], State] | None:
-    """Return the frames of the same simulation and the state after them; None where there are none."""
+def read_checkpoint(path: Path, key: str) -> tuple[list[Array], State] | None:
+    """Return the frames of the same simulation and the state after them; None if there are none."""
     try:
         with open_archive(path, MOST_BYTES) as told:
             if str(told["key"]) != key:

@@ -10,12 +10,21 @@ from types import MappingProxyType
 from typing import Final
 
 from cloner.cloth.caches import obj, pc2, usd, vat
-from cloner.cloth.clothed import check_folder, write_clothed
-from cloner.cloth.drafting.cut import cut
+from cloner.cloth.clothed import check_folder, write_garments_as_result
+from cloner.cloth.drafting.cut import triangulate
 from cloner.cloth.drafting.pattern import Pattern
-from cloner.cloth.dressing import STEP_M, WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
+from cloner.cloth.dressing import (
+    STEP_M,
+    WALK,
+    DressedClone,
+    dress_clone,
+    find_fabric,
+    find_motion,
+    find_pattern,
+    pictures,
+)
 from cloner.cloth.glb import glb
-from cloner.cloth.resumed import kept_path
+from cloner.cloth.resumed import checkpoint_path
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
@@ -32,7 +41,7 @@ from cloner.vision.photographs.films import write_film
 
 PC2: Final = ".pc2"
 #: What is written, by the file's ending: contents by the ends of their names, the file's own first.
-WRITERS: Final[Mapping[str, Callable[[Dressed], Mapping[str, bytes]]]] = MappingProxyType(
+WRITERS: Final[Mapping[str, Callable[[DressedClone], Mapping[str, bytes]]]] = MappingProxyType(
     {
         ".glb": lambda found: {".glb": glb(found)},
         PC2: lambda found: {PC2: pc2(found), ".obj": obj(found)},
@@ -61,7 +70,7 @@ def dress_file(
     formats: Sequence[str] = (),
     progress: Progress = no_progress,
 ) -> tuple[str, ...]:
-    """Put a garment on a clone, let it walk, and write the loop; return what to say of it.
+    """Dress a clone in a garment, simulate its walk, and write the loop; return a report.
 
     Parameters
     ----------
@@ -90,25 +99,25 @@ def dress_file(
         check_target(out)
     else:
         check_folder(out, clone_path, formats)
-    fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
+    fabrics = [find_fabric(name) for name in (fabric, *(name for _, name in over))]
     clone = centre_joints(plain := load_clone_at(clone_path))
-    cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
+    cuts = [find_pattern(clone, garment, length_cm), *(find_pattern(clone, name, None) for name, _ in over)]
     if out.suffix.lower() == PICTURE:
-        check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
+        check_count(len(triangulate(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
     step_m = STEP_M if out.suffix else FOLDER_STEP_M
-    rests = [kept_path(out, number) if resume else None for number in range(len(cuts))]
-    found = _worn(clone, cuts, fabrics, rests, motion_of(clone, motion), step_m, elements, progress)
+    rests = [checkpoint_path(out, number) if resume else None for number in range(len(cuts))]
+    found = _dress_layers(clone, cuts, fabrics, rests, find_motion(clone, motion), step_m, elements, progress)
     progress("export", 0.97)
     if out.suffix:
         write_dressed(found, out)
     else:
-        write_clothed(found, plain, clone_path, out, [one.name for one, _ in cuts], formats, progress)
+        write_garments_as_result(found, plain, clone_path, out, [one.name for one, _ in cuts], formats, progress)
     for rest in filter(None, rests):
         rest.unlink(missing_ok=True)
-    return (*map(_said, found.layers), str(out))
+    return (*map(_report, found.layers), str(out))
 
 
-def _worn(
+def _dress_layers(
     clone: Clone,
     cuts: Sequence[tuple[Pattern, str | None]],
     fabrics: Sequence[Fabric],
@@ -117,12 +126,12 @@ def _worn(
     step_m: float,
     elements: bool,
     progress: Progress,
-) -> Dressed:
+) -> DressedClone:
     """Return a clone in all its garments, the first one innermost."""
-    found: Dressed | None = None
+    found: DressedClone | None = None
     for number, ((pattern, ring_level), fabric, rest) in enumerate(zip(cuts, fabrics, rests, strict=True)):
         share = functools.partial(_share, progress, number, len(cuts))
-        found = dressed(
+        found = dress_clone(
             clone, pattern, ring_level, fabric, walk,
             step_m=step_m, under=found, elements=elements, resumed=rest, progress=share,
         )  # fmt: skip
@@ -130,7 +139,7 @@ def _worn(
     return found
 
 
-def _said(one: Dressed) -> str:
+def _report(one: DressedClone) -> str:
     """Return a report of a garment's loop."""
     loop = one.loop
     found = f"loop of {len(loop.frames_m)} frames, {one.worn.cloth.count} vertices: gap {loop.gap_mm:.0f} mm"
@@ -138,12 +147,12 @@ def _said(one: Dressed) -> str:
 
 
 def _share(progress: Progress, number: int, count: int, step: str, fraction: float) -> None:
-    """Tell how far one of several garments is."""
+    """Report progress over several garments."""
     progress(step, (number + fraction) / count)
 
 
 def check_target(out: Path) -> None:
-    """Refuse a file that no dressed clone is written to, before any work.
+    """Refuse a file that a dressed clone cannot be written to, before any work.
 
     Raises
     ------
@@ -159,12 +168,12 @@ def check_target(out: Path) -> None:
 
 
 def _beside(out: Path) -> tuple[Path, ...]:
-    """Return the files that are written beside one."""
+    """Return the files that are written beside a dressed clone."""
     return tuple(out.with_name(out.stem + end) for end in BESIDE.get(out.suffix.lower(), ()))
 
 
-def write_dressed(found: Dressed, out: Path) -> None:
-    """Write a dressed clone as the file's ending says.
+def write_dressed(found: DressedClone, out: Path) -> None:
+    """Write a dressed clone in the format of the file's suffix.
 
     Raises
     ------
@@ -182,7 +191,7 @@ def write_dressed(found: Dressed, out: Path) -> None:
 
 
 def clean_up(out: Path) -> None:
-    """Remove what a process that was killed while it wrote a dressed clone left beside it."""
+    """Remove what a killed process left beside a dressed clone."""
     for path in (out, *_beside(out)):
         for rest in out.parent.glob(f".{escape(path.name)}.*"):
             rest.unlink(missing_ok=True)

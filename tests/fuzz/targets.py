@@ -28,8 +28,8 @@ from cloner.booth.phone.tickets import read_ticket
 from cloner.booth.photos.arrivals import read_note
 from cloner.booth.photos.check_cache import read_checks
 from cloner.booth.visitors.visits import read_visit
-from cloner.cloth.drafting.blocks import BLOCKS, draft
-from cloner.cloth.drafting.cut import cut
+from cloner.cloth.drafting.blocks import BLOCKS, draft_block
+from cloner.cloth.drafting.cut import triangulate
 from cloner.cloth.drafting.freesewing import read_svg_garment
 from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import pattern_text, read_pattern
@@ -407,15 +407,16 @@ TARGETS: Mapping[str, Target] = {
     "guide": Target("said.json", lambda: GUIDE, _wish),
     "film": Target("awakening.film", lambda: (FILM,), read_sequence),
     "dyes": Target("looks.toml", lambda: (DYES,), lambda path: casting_of([_BARE, _BARE], read_dyes(path))),
-    "pattern": Target("skirt.json", lambda: (pattern_text(draft(BLOCKS["skirt"], 0.7, 0.5)).encode(),),
-                      lambda path: cut(read_pattern(path), 0.2)),
+    "pattern": Target("skirt.json", lambda: (pattern_text(draft_block(BLOCKS["skirt"], 0.7, 0.5)).encode(),),
+                      lambda path: triangulate(read_pattern(path), 0.2)),
     "garmentcode": Target("mine.json", lambda: tuple(json.dumps(told()).encode() for told in (skirt, shirt, trousers)),
-                          lambda path: cut(read_garment(path, _measured()), 0.2)),
+                          lambda path: triangulate(read_garment(path, _measured()), 0.2)),
     "fabric": Target("wool.toml", lambda: (FABRIC,), read_fabric),
     "cloth": Target("cloth.npz", lambda: (_flow_bytes(),), lambda path: load_flow(path.parent, _skirted())),
-    "drawing": Target("skirt.svg", lambda: (DRAWING,), lambda path: cut(read_svg_garment(path, _measured()), 0.2)),
+    "drawing": Target("skirt.svg", lambda: (DRAWING,),
+                      lambda path: triangulate(read_svg_garment(path, _measured()), 0.2)),
     "freesewing": Target("tee.svg", lambda: (draft_text({"front": FRONT, "back": BACK, "sleeve": CAP}).encode(),),
-                         lambda path: cut(read_svg_garment(path, _measured()), 0.2)),
+                         lambda path: triangulate(read_svg_garment(path, _measured()), 0.2)),
     "ticket": Target("phone.json", lambda: (TICKET,), lambda path: read_ticket(path.parent)),
     "camera": Target("camera.json", lambda: (CAMERA,),
                      _folded(".camera.json", lambda folder: read_note(folder, Path("/media/card")))),

@@ -11,9 +11,9 @@ from cloner.bodies.undressed import undressed_clone
 from cloner.bodies.written import sex_of
 from cloner.booth.studio.values import Arranged, Draped, Outfit, Rgb
 from cloner.booth.worker import Show, ignore
-from cloner.cloth.clothed import check_folder, write_clothed
-from cloner.cloth.drafting.pattern import Pattern, curve
-from cloner.cloth.dressing import Dressed, Dressing, Watch, fabric_named, motion_of, pattern_of
+from cloner.cloth.clothed import check_folder, write_garments_as_result
+from cloner.cloth.drafting.pattern import Pattern, bezier
+from cloner.cloth.dressing import DressedClone, Dressing, Watch, find_fabric, find_motion, find_pattern
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.moving import SETTLE
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
@@ -43,20 +43,20 @@ class Wearing:
         self._show = show
         self._below: tuple[tuple[Path, bool, int], Clone, Clone] | None = None
         self._dressing: tuple[Outfit, Dressing, Pattern] | None = None
-        self._dressed: dict[Outfit, Dressed] = {}
+        self._dressed: dict[Outfit, DressedClone] = {}
 
     def arrange(self, outfit: Outfit, progress: Progress) -> Arranged:
-        """Cut a garment and place it around the clone; see `cloner.cloth.simulation.moving.put_on`."""
+        """Cut a garment and place it around the clone; see `cloner.cloth.simulation.moving.place_garment`."""
         dressing, pattern = self._arranged(outfit, progress)
         still = np.zeros_like(dressing.worn.rotations[0])
-        places = dressing.with_below(dressing.worn.start.places_m, SETTLE - 1)
+        places = dressing.over_below(dressing.worn.start.places_m, SETTLE - 1)
         draped = self._draped(outfit, dressing, places, np.zeros(3), still)
         return Arranged(self._wearer(outfit, progress), _pieces(pattern), draped)
 
     def hang(self, outfit: Outfit, progress: Progress) -> None:
         """Sew the garment and let it settle; shows every frame."""
         dressing, _ = self._arranged(outfit, progress)
-        dressing.hung(self._watch(outfit, dressing), progress=progress)
+        dressing.settle(self._watch(outfit, dressing), progress=progress)
 
     def walk(self, outfit: Outfit, progress: Progress) -> tuple[Draped, float]:
         """Simulate the garment in a walk until a loop is found; return the loop and its frames per second. Shows every
@@ -81,16 +81,16 @@ class Wearing:
             write_dressed(found, out)
         else:
             plain = self._plain(outfit, progress)
-            write_clothed(found, plain, outfit.clone, out, _garments(outfit), FORMATS, progress)
+            write_garments_as_result(found, plain, outfit.clone, out, _garments(outfit), FORMATS, progress)
         return out
 
-    def _walked(self, outfit: Outfit, progress: Progress) -> Dressed:
+    def _walked(self, outfit: Outfit, progress: Progress) -> DressedClone:
         """Return a garment's loop; the latest one, and what is worn below it, are cached."""
         self._wearer(outfit, progress)
         if outfit not in self._dressed:
             dressing, _ = self._arranged(outfit, progress)
             self._dressing = None  # it is walked with once
-            found = dressing.walked(self._watch(outfit, dressing), progress=progress)
+            found = dressing.simulate_walk(self._watch(outfit, dressing), progress=progress)
             self._dressed = {one: worn for one, worn in self._dressed.items() if one == outfit.under}
             self._dressed[outfit] = found
         return self._dressed[outfit]
@@ -117,8 +117,8 @@ class Wearing:
         if self._dressing is None or self._dressing[0] != outfit:
             under = None if outfit.under is None else self._walked(outfit.under, progress)
             progress("arrange", 0.3)
-            pattern, ring = pattern_of(clone, outfit.garment, outfit.length_cm)
-            fabric, motion = fabric_named(outfit.fabric), motion_of(clone, outfit.motion)
+            pattern, ring = find_pattern(clone, outfit.garment, outfit.length_cm)
+            fabric, motion = find_fabric(outfit.fabric), find_motion(clone, outfit.motion)
             self._dressing = outfit, Dressing(clone, pattern, ring, fabric, motion, under=under), pattern
         return self._dressing[1:]
 
@@ -128,7 +128,7 @@ class Wearing:
     def _draped(self, outfit: Outfit, dressing: Dressing, places_m: Array, root_m: Array, rotations: Array) -> Draped:
         """Return one frame (N, 3) of all garments."""
         faces = dressing.worn.cloth.faces
-        own = (len(faces), _rgb(fabric_named(outfit.fabric)))
+        own = (len(faces), _rgb(find_fabric(outfit.fabric)))
         parts: tuple[tuple[int, Rgb], ...] = (own,)
         if outfit.under is not None:
             below = self._dressed[outfit.under]
@@ -147,12 +147,12 @@ def _pieces(pattern: Pattern) -> tuple[Array, ...]:
     """Return the outlines (M, 2) of a garment's pieces, metres."""
     shares = np.linspace(0.0, 1.0, _PLACES, endpoint=False)
     return tuple(
-        np.concatenate([curve(np.asarray(edge), shares) for edge in segment.edges.values()])
+        np.concatenate([bezier(np.asarray(edge), shares) for edge in segment.edges.values()])
         for segment in pattern.segments
     )
 
 
-def _parts(layers: tuple[Dressed, ...]) -> tuple[tuple[int, Rgb], ...]:
+def _parts(layers: tuple[DressedClone, ...]) -> tuple[tuple[int, Rgb], ...]:
     return tuple((len(one.worn.cloth.faces), _rgb(one.fabric)) for one in layers)
 
 

@@ -51,7 +51,7 @@ BLOCKS: Final = MappingProxyType({
 })  # fmt: skip
 
 
-def draft(block: Block, ring_m: float, length_m: float, least_rad: float = 0.0) -> Pattern:
+def draft_block(block: Block, ring_m: float, length_m: float, least_rad: float = 0.0) -> Pattern:
     """Return the two pieces of a block: sectors of a ring, whose inner edge is half of the body's.
 
     Parameters
@@ -68,10 +68,13 @@ def draft(block: Block, ring_m: float, length_m: float, least_rad: float = 0.0) 
     segments = []
     for name in ("left", "right") if block.is_open else ("front", "back"):
         half = angle / 4.0
-        arcs = {"top": _arc(inner, half, -half), "left": line(_at(inner, -half), _at(inner + length_m, -half))}
+        arcs = {
+            "top": _arc(inner, half, -half),
+            "left": line(_circle_point(inner, -half), _circle_point(inner + length_m, -half)),
+        }
         arcs |= {
             "hem": _arc(inner + length_m, -half, half),
-            "right": line(_at(inner + length_m, half), _at(inner, half)),
+            "right": line(_circle_point(inner + length_m, half), _circle_point(inner, half)),
         }
         segments.append(Segment(name, arcs))
     seams: tuple[tuple[str, str], ...] = (("front.left", "back.right"), ("front.right", "back.left"))
@@ -80,19 +83,19 @@ def draft(block: Block, ring_m: float, length_m: float, least_rad: float = 0.0) 
     return Pattern(block.name, tuple(segments), seams)
 
 
-def _at(radius: float, angle: float) -> Array:
-    """Return a point of a circle about the origin, angles from straight down, left positive."""
+def _circle_point(radius: float, angle: float) -> Array:
+    """Return a point of a circle about the origin; angles from straight down, left positive."""
     return np.array([radius * np.sin(angle), -radius * np.cos(angle)])
 
 
 def line(start: Corner, end: Corner) -> Array:
-    """Return the (4, 2) curve of a straight edge."""
+    """Return the (4, 2) cubic of a straight edge."""
     start, end = np.asarray(start, np.float64), np.asarray(end, np.float64)
     return np.array([start + share * (end - start) for share in (0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0)])
 
 
-def through(start: Corner, one: Corner, other: Corner, end: Corner) -> Array:
-    """Return the (4, 2) cubic that goes through four points, a third of it between each."""
+def cubic_through(start: Corner, one: Corner, other: Corner, end: Corner) -> Array:
+    """Return the (4, 2) cubic through four points at parameters 0, 1/3, 2/3 and 1."""
     a, b, c, d = (np.asarray(each, np.float64) for each in (start, one, other, end))
     return np.array(
         [a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, d]
@@ -102,6 +105,6 @@ def through(start: Corner, one: Corner, other: Corner, end: Corner) -> Array:
 def _arc(radius: float, start: float, end: float) -> Array:
     """Return the (4, 2) cubic of an arc of at most half a circle (the usual handles of 4/3 tan(angle / 4))."""
     handle = 4.0 / 3.0 * np.tan((end - start) / 4.0) * radius
-    first, last = _at(radius, start), _at(radius, end)
+    first, last = _circle_point(radius, start), _circle_point(radius, end)
     along = [np.array([np.cos(angle), np.sin(angle)]) for angle in (start, end)]
     return np.array([first, first + handle * along[0], last - handle * along[1], last])

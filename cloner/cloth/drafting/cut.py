@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import Delaunay, cKDTree
 
-from cloner.cloth.drafting.pattern import Pattern, Segment, even, length_m
+from cloner.cloth.drafting.pattern import Pattern, Segment, evenly_spaced, length_m
 from cloner.geometry.meshes.triangles import paired_edges
 from cloner.records.arrays import Array
 
@@ -22,7 +22,7 @@ CLEAR: Final = 0.55
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Cloth:
-    """Sewn pieces.
+    """Sewn pieces as one triangle mesh.
 
     Attributes
     ----------
@@ -45,23 +45,23 @@ class Cloth:
 
     @property
     def faces(self) -> Ints:
-        """The triangles by vertices, (T, 3)."""
+        """The triangles by sewn vertices, (T, 3)."""
         return np.asarray(self.vertex[self.triangles])
 
     @property
     def count(self) -> int:
-        """Number of vertices."""
+        """Number of sewn vertices."""
         return int(self.vertex.max()) + 1
 
-    def sewn(self, points_m: Array) -> Array:
-        """Return the (N, 3) vertices of points (W, 3): the middle of those that are one after sewing."""
+    def seam_means(self, points_m: Array) -> Array:
+        """Return the (N, 3) sewn vertices of points (W, 3): the means of those that become one."""
         counts = np.bincount(self.vertex, minlength=self.count)
         return np.stack([np.bincount(self.vertex, points_m[:, k]) / counts for k in range(3)], axis=1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Hinges:
-    """Inner edges in the plane with their opposite points; across a seam two pieces are placed side by side.
+class BendingHinges:
+    """Inner edges with their opposite points in the plane; across a seam two pieces are placed side by side.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Hinges:
     weft: Array
 
 
-def hinges_of(cloth: Cloth) -> Hinges:
+def hinges_of(cloth: Cloth) -> BendingHinges:
     """Return the inner edges of sewn pieces."""
     edges, triangles, tips = paired_edges(cloth.faces)
     sides = []
@@ -98,10 +98,10 @@ def hinges_of(cloth: Cloth) -> Hinges:
         line, away = (end - start) / length[:, None], tip - start
         height = np.abs(line[:, 0] * away[:, 1] - line[:, 1] * away[:, 0])
         sides.append((height, (away * line).sum(axis=1), length, line[:, 1] ** 2))
-    return Hinges(edges, np.asarray(tips, dtype=np.int64), triangles, *np.stack(sides, axis=1))
+    return BendingHinges(edges, np.asarray(tips, dtype=np.int64), triangles, *np.stack(sides, axis=1))
 
 
-def cut(pattern: Pattern, step_m: float) -> Cloth:
+def triangulate(pattern: Pattern, step_m: float) -> Cloth:
     """Return a garment's pieces as triangles of about one size, sewn."""
     counts = {
         f"{segment.name}.{name}": max(2, round(length_m(edge) / step_m))
@@ -122,12 +122,12 @@ def cut(pattern: Pattern, step_m: float) -> Cloth:
         triangles.append(first + faces)
         owners.append(np.full(len(flat), number, dtype=np.int64))
         first += len(flat)
-    sewn = _sewn(first, [(edges[one], edges[other][::-1]) for one, other in pattern.seams])
+    sewn = _merged_numbers(first, [(edges[one], edges[other][::-1]) for one, other in pattern.seams])
     return Cloth(np.concatenate(flats), np.concatenate(triangles), sewn, np.concatenate(owners), edges)
 
 
-def _sewn(count: int, pairs: list[tuple[Ints, Ints]]) -> Ints:
-    """Return (count,) numbers of vertices with the points of seams made one."""
+def _merged_numbers(count: int, pairs: list[tuple[Ints, Ints]]) -> Ints:
+    """Return (count,) vertex numbers after merging the points of seams."""
     lowest = np.arange(count)
     while True:
         before = lowest.copy()
@@ -144,7 +144,7 @@ def _mesh(segment: Segment, counts: Mapping[str, int], step_m: float) -> tuple[A
     border, rows, start = [], {}, 0
     for name, edge in segment.edges.items():
         place = f"{segment.name}.{name}"
-        border.append(even(edge, counts[place])[:-1])
+        border.append(evenly_spaced(edge, counts[place])[:-1])
         rows[place] = np.arange(start, start + counts[place] + 1)
         start += counts[place]
     outline = np.concatenate(border)
@@ -154,7 +154,7 @@ def _mesh(segment: Segment, counts: Mapping[str, int], step_m: float) -> tuple[A
     lines = np.arange(low[1], high[1], tall)
     columns = [np.arange(low[0] + 0.5 * step_m * (row % 2), high[0], step_m) for row in range(len(lines))]
     grid = np.concatenate([np.column_stack([x, np.full(len(x), y)]) for x, y in zip(columns, lines, strict=True)])
-    away, _ = cKDTree(_dense(outline)).query(grid)
+    away, _ = cKDTree(_dense_outline(outline)).query(grid)
     inner = grid[_inside(grid, outline) & (away > CLEAR * step_m)]
     points = np.concatenate([outline, inner])
     faces = Delaunay(points).simplices.astype(np.int64)
@@ -167,7 +167,7 @@ def _mesh(segment: Segment, counts: Mapping[str, int], step_m: float) -> tuple[A
     return points, faces[np.abs(area) > 1e-4 * step_m**2], rows
 
 
-def _dense(outline: Array) -> Array:
+def _dense_outline(outline: Array) -> Array:
     """Return a closed outline with a point every fifth of a step."""
     following = np.roll(outline, -1, axis=0)
     shares = np.linspace(0.0, 1.0, 5, endpoint=False)[:, None, None]

@@ -52,15 +52,15 @@ def read_svg(path: Path) -> ElementTree.Element:
         raise ClonerError("the file is no SVG", _HINT, path.name) from error
 
 
-def garment_drawn(root: ElementTree.Element, stem: str, where: str) -> Pattern:
-    """Return the garment in a drawing; the waist (or an arm's shoulder joint) is its own origin's height.
+def garment_from_svg(root: ElementTree.Element, stem: str, where: str) -> Pattern:
+    """Return the garment in a drawing; the origin's height is the waist (or an arm's shoulder joint).
 
     Raises
     ------
     ClonerError
         If it is no drawing of a garment, or one that cannot be cut.
     """
-    scale = metres_of(root, where)
+    scale = metres_per_unit(root, where)
     segments: list[Segment] = []
     for element in root.iter():
         if element.get("transform"):
@@ -76,8 +76,8 @@ def garment_drawn(root: ElementTree.Element, stem: str, where: str) -> Pattern:
     return pattern
 
 
-def metres_of(root: ElementTree.Element, where: str) -> float:
-    """Return metres of a drawing's unit."""
+def metres_per_unit(root: ElementTree.Element, where: str) -> float:
+    """Return the length of a drawing's unit, metres."""
     found = re.fullmatch(r"\s*([\d.]+)\s*([a-z]*)\s*", root.get("width", ""))
     box = [float(each) for each in _TOKEN.findall(root.get("viewBox", "")) if not each.isalpha()]
     unit = UNITS_M.get(found.group(2) or "px") if found else None
@@ -89,7 +89,7 @@ def metres_of(root: ElementTree.Element, where: str) -> float:
 def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     name = element.get("id", "")
     names = element.get("data-edges", "").split()
-    curves = curves_of(element.get("d", ""), name, where)
+    curves = parse_path(element.get("d", ""), name, where)
     if len(names) != len(curves) or len(set(names)) != len(names):
         told = f"the piece {name!r} has {len(curves)} edges and {len(names)} names for them"
         raise ClonerError(told, "Name every edge once, in the order of drawing", where)
@@ -99,8 +99,8 @@ def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     return Segment(name, seen_from_outside(edges), element.get("data-around", ""))
 
 
-def curves_of(data: str, name: str, where: str) -> list[Array]:
-    """Return (4, 2) curves of path data, in its own units, y down."""
+def parse_path(data: str, name: str, where: str) -> list[Array]:
+    """Return (4, 2) cubics of path data, in its own units, y down."""
     tokens = _TOKEN.findall(data)
     found: list[Array] = []
     here = start = np.zeros(2)

@@ -21,19 +21,19 @@ from xml.etree import ElementTree
 
 import numpy as np
 
-from cloner.cloth.drafting.blocks import through
-from cloner.cloth.drafting.drawn import curves_of, garment_drawn, metres_of, read_svg
+from cloner.cloth.drafting.blocks import cubic_through
+from cloner.cloth.drafting.drawn import garment_from_svg, metres_per_unit, parse_path, read_svg
 from cloner.cloth.drafting.pattern import (
     Pattern,
     Segment,
+    bezier,
     check_pattern,
-    curve,
     is_clockwise,
     length_m,
     seen_from_outside,
 )
 from cloner.cloth.drafting.sections import Sections
-from cloner.cloth.drafting.tailored import OVER_M, over_m
+from cloner.cloth.drafting.tailored import OVER_M, extra_over_body_m
 from cloner.errors import ClonerError
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.records.arrays import Array
@@ -61,18 +61,18 @@ def read_svg_garment(path: Path, body: Sections) -> Pattern:
     root = read_svg(path)
     if root.get("freesewing"):
         return from_freesewing(root, path.stem, body, path.name)
-    return garment_drawn(root, path.stem, path.name)
+    return garment_from_svg(root, path.stem, path.name)
 
 
 def from_freesewing(root: ElementTree.Element, name: str, body: Sections, where: str) -> Pattern:
-    """Return a garment of FreeSewing's for a body.
+    """Return a FreeSewing design as a garment for a body.
 
     Raises
     ------
     ClonerError
         If it has no front and back on the fold, or cannot be worn.
     """
-    scale, parts = metres_of(root, where), _parts(root)
+    scale, parts = metres_per_unit(root, where), _parts(root)
     for part in parts:
         if "sleeve" in part.lower() and part != "sleeve":
             raise ClonerError(f"the part {part!r} is no whole sleeve", _HINT, where)
@@ -117,7 +117,7 @@ def _outline(group: ElementTree.Element, part: str, where: str) -> Array:
     for element in group.iter():
         kinds = element.get("class", "").split()
         if "fabric" in kinds and "sa" not in kinds and element.tag.rpartition("}")[2] == "path":
-            curves = curves_of(element.get("d", ""), part, where)
+            curves = parse_path(element.get("d", ""), part, where)
             if len(curves) > 2 and np.allclose(curves[0][0], curves[-1][3], atol=1e-2):
                 found.append(np.array(curves))
     if not found:
@@ -125,8 +125,8 @@ def _outline(group: ElementTree.Element, part: str, where: str) -> Array:
     return max(found, key=lambda curves: float(np.prod(np.ptp(curves.reshape(-1, 2), axis=0))))
 
 
-def _runs(curves: Array, *, is_closed: bool) -> list[Array]:
-    """Return the chains of curves between corners; a closed outline begins with the lowest run."""
+def _edge_chains(curves: Array, *, is_closed: bool) -> list[Array]:
+    """Return the chains of curves between corners; a closed outline begins with the lowest chain."""
     leave, arrive = (np.array([_direction(each[::way]) for each in curves]) * way for way in (1, -1))
     turns = np.degrees(np.arccos(np.clip((arrive * np.roll(leave, -1, axis=0)).sum(axis=1), -1.0, 1.0)))
     ends = np.flatnonzero(turns[: len(curves) if is_closed else -1] > CORNER_DEG) + 1
@@ -139,7 +139,7 @@ def _runs(curves: Array, *, is_closed: bool) -> list[Array]:
 
 
 def _direction(curve_m: Array) -> Array:
-    """Return the (2,) unit direction in which a curve leaves its first point: handles may lie on it."""
+    """Return the (2,) unit direction of a curve at its first point, where handles may coincide with it."""
     away = curve_m[1:] - curve_m[0]
     far = np.linalg.norm(away, axis=1)
     first = int(np.argmax(far > 1e-3 * max(far.max(), 1e-9)))
@@ -156,16 +156,16 @@ def _half(curves: Array, part: str, where: str) -> dict[str, Array]:
     chain = np.roll(curves, -after, axis=0)[: len(curves) - int(is_fold.sum())] - [left, 0.0]
     if chain[0, 0, 1] > chain[-1, 3, 1]:
         chain = chain[::-1, ::-1]
-    runs = _runs(chain, is_closed=False)
+    runs = _edge_chains(chain, is_closed=False)
     if len(runs) != len(HALF):
         told = f"the part {part!r} has {len(runs)} edges from corner to corner, not hem, side, armhole, shoulder, neck"
         raise ClonerError(told, _HINT, where)
-    return {name: _evenly(run) for name, run in zip(HALF, runs, strict=True)}
+    return {name: _evenly_spaced(run) for name, run in zip(HALF, runs, strict=True)}
 
 
-def _evenly(run: Sequence[Array] | Array, start: float = 0.0, end: float = 1.0) -> Array:
-    """Return (3 PIECES + 1, 2) points evenly along shares of a chain of curves."""
-    fine = np.concatenate([curve(each, np.linspace(0.0, 1.0, 65)) for each in run])
+def _evenly_spaced(run: Sequence[Array] | Array, start: float = 0.0, end: float = 1.0) -> Array:
+    """Return (3 PIECES + 1, 2) evenly spaced points along a part of a chain of curves."""
+    fine = np.concatenate([bezier(each, np.linspace(0.0, 1.0, 65)) for each in run])
     along = arc_lengths(fine)
     return places_along(fine, along, np.linspace(start, end, 3 * PIECES + 1) * along[-1])
 
@@ -173,7 +173,7 @@ def _evenly(run: Sequence[Array] | Array, start: float = 0.0, end: float = 1.0) 
 def _cubics(name: str, points: Array, *, is_back: bool = False) -> dict[str, Array]:
     """Return the named cubics through points of a run, one after another; numbered from its end where it runs back."""
     numbers = range(PIECES - 1, -1, -1) if is_back else range(PIECES)
-    return {f"{name}_{number}": through(*points[3 * k : 3 * k + 4]) for k, number in enumerate(numbers)}
+    return {f"{name}_{number}": cubic_through(*points[3 * k : 3 * k + 4]) for k, number in enumerate(numbers)}
 
 
 def _trunk(part: str, half: Mapping[str, Array], body: Sections, where: str) -> Segment:
@@ -191,7 +191,9 @@ def _trunk(part: str, half: Mapping[str, Array], body: Sections, where: str) -> 
     if under < float(body.place("crotch")[1]) - body.waist_m:
         told = f"the armhole of the part {part!r} lies below this wearer's trunk"
         raise ClonerError(told, "Draft it to the wearer's measures, in millimetres", where)
-    up = over_m(body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=part == "front")
+    up = extra_over_body_m(
+        body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=part == "front"
+    )
     up = min(up, 0.5 * (top - under))
     lies = ((hem, hem + up), (under, under + up), (top, top))
     return Segment(part, seen_from_outside(edges), part, lies)
@@ -200,29 +202,29 @@ def _trunk(part: str, half: Mapping[str, Array], body: Sections, where: str) -> 
 def _whole_sleeve(
     curves: Array, halves: Mapping[str, Mapping[str, Array]], group: ElementTree.Element, where: str
 ) -> tuple[dict[str, Array], float]:
-    """Return the runs of a sleeve, its front at +x, and how high its cap's top lies as drawn."""
+    """Return the edges of a sleeve, its front at +x, and the height of its cap's top as drawn."""
     notch = {kind: _notch(group, kind) for kind in ("#notch", "#bnotch")}
     if notch["#notch"] < notch["#bnotch"]:
         curves = curves[::-1, ::-1] * [-1.0, 1.0]
     if is_clockwise(curves[:, 0]):
         curves = curves[::-1, ::-1]
-    runs = _runs(curves, is_closed=True)
+    runs = _edge_chains(curves, is_closed=True)
     if len(runs) != len(SLEEVE):
         told = f"the sleeve has {len(runs)} edges from corner to corner, not hem, side, cap and side"
         raise ClonerError(told, _HINT, where)
     holes = [sum(map(length_m, _cubics("", halves[part]["armhole"]).values())) for part in ("front", "back")]
     split = holes[0] / sum(holes)
     hem, ahead, cap, behind = runs
-    top = _evenly(cap, 0.0, split)[-1]
+    top = _evenly_spaced(cap, 0.0, split)[-1]
     found = {
-        "hem": _evenly(hem), "ahead": _evenly(ahead), "cap_front": _evenly(cap, 0.0, split),
-        "cap_back": _evenly(cap, split, 1.0), "behind": _evenly(behind),
+        "hem": _evenly_spaced(hem), "ahead": _evenly_spaced(ahead), "cap_front": _evenly_spaced(cap, 0.0, split),
+        "cap_back": _evenly_spaced(cap, split, 1.0), "behind": _evenly_spaced(behind),
     }  # fmt: skip
     return {name: points - [float(top[0]), 0.0] for name, points in found.items()}, float(top[1])
 
 
 def _notch(group: ElementTree.Element, kind: str) -> float:
-    """Return the position of a kind of notch across a part, nan where it is not given."""
+    """Return the position of a kind of notch across a part, nan if there is none."""
     for element in group.iter():
         if element.tag.rpartition("}")[2] == "use" and kind in element.attrib.values():
             with contextlib.suppress(ValueError):

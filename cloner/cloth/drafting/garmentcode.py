@@ -28,9 +28,9 @@ from cloner.cloth.drafting.pattern import (
     Pattern,
     Segment,
     check_pattern,
-    even,
+    evenly_spaced,
     json_of,
-    pattern_told,
+    parse_pattern,
     seen_from_outside,
 )
 from cloner.cloth.drafting.sections import Sections
@@ -51,7 +51,7 @@ _HINT: Final = "Write it again with GarmentCode, or draw it anew (docs/cloth.md)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Panel:
-    """One panel: its curves (E, 4, 2) as drawn and its place in space, metres; ``around`` as a segment's."""
+    """One panel: its curves (E, 4, 2) as drawn and its pose in space, metres; ``around`` as a segment's."""
 
     name: str
     curves: tuple[Array, ...]
@@ -72,11 +72,11 @@ def read_garment(path: Path, body: Sections) -> Pattern:
     told = json_of(path)
     if isinstance(told, dict) and isinstance(told.get("pattern"), dict):
         return from_garmentcode(told, path.stem.removesuffix("_specification"), body, path.name)
-    return pattern_told(told, path.stem, path.name)
+    return parse_pattern(told, path.stem, path.name)
 
 
 def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: str) -> Pattern:
-    """Return a garment of GarmentCode's for a body.
+    """Return a GarmentCode design as a garment for a body.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: 
     except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError) as error:
         raise ClonerError("the file is no garment of GarmentCode", _HINT, where) from error
     segments = tuple(segment for segment, _ in pieces.values())
-    pattern = Pattern(name, segments, seams, _held(segments, seams, reaches))
+    pattern = Pattern(name, segments, seams, _held_edges(segments, seams, reaches))
     check_pattern(pattern, where)
     return pattern
 
@@ -202,7 +202,7 @@ def _rise_of(panel: _Panel, flat: list[Array]) -> float:
     the inmost point.
     """
     outer = 1.0 if panel.around in ("left_leg_front", "right_leg_back") else -1.0
-    x, y = np.concatenate([even(curve, 16) for curve in flat]).T
+    x, y = np.concatenate([evenly_spaced(curve, 16) for curve in flat]).T
     inmost = int(np.argmin(outer * x))
     return outer * float((outer * x)[y > (y[inmost] + 2.0 * y.max()) / 3.0].min())
 
@@ -218,7 +218,7 @@ def _on_arm(panel: _Panel, curve: Array, beside: list[_Panel]) -> Array:
     return np.column_stack([round_m, inward * curve[:, 0] - highest])
 
 
-def _held(segments: tuple[Segment, ...], seams: tuple[tuple[str, str], ...], reaches: bool) -> tuple[str, ...]:
+def _held_edges(segments: tuple[Segment, ...], seams: tuple[tuple[str, str], ...], reaches: bool) -> tuple[str, ...]:
     """Return the edges that stay on the skin: the highest of what hangs from the waist, shoulders without sleeves."""
     sewn = {place for seam in seams for place in seam}
     trunk = [segment for segment in segments if "arm" not in segment.around]

@@ -93,8 +93,8 @@ class Pattern:
         return next(segment for segment in self.segments if segment.name == name).edges[edge]
 
 
-def curve(points: Array, share: Array) -> Array:
-    """Return (N, 2) places of a cubic Bézier curve (4, 2) at shares 0..1."""
+def bezier(points: Array, share: Array) -> Array:
+    """Return (N, 2) points of a cubic Bézier curve (4, 2) at parameters 0..1."""
     t = share[:, None]
     first, second, third, last = points
     return np.asarray((1 - t) ** 3 * first + 3 * t * (1 - t) ** 2 * second + 3 * t**2 * (1 - t) * third + t**3 * last)
@@ -102,12 +102,12 @@ def curve(points: Array, share: Array) -> Array:
 
 def length_m(points: Array) -> float:
     """Return the length of a curve, metres."""
-    return float(np.linalg.norm(np.diff(curve(points, np.linspace(0.0, 1.0, 129)), axis=0), axis=1).sum())
+    return float(np.linalg.norm(np.diff(bezier(points, np.linspace(0.0, 1.0, 129)), axis=0), axis=1).sum())
 
 
-def even(points: Array, count: int) -> Array:
-    """Return (count + 1, 2) places that lie evenly along a curve, both ends among them."""
-    fine = curve(points, np.linspace(0.0, 1.0, 257))
+def evenly_spaced(points: Array, count: int) -> Array:
+    """Return (count + 1, 2) points that lie evenly along a curve, including both ends."""
+    fine = bezier(points, np.linspace(0.0, 1.0, 257))
     run = arc_lengths(fine)
     wanted = np.linspace(0.0, run[-1], count + 1)
     return places_along(fine, run, wanted)
@@ -127,7 +127,7 @@ def seen_from_outside(edges: Mapping[str, Array]) -> dict[str, Array]:
 
 
 def check_pattern(pattern: Pattern, where: str) -> None:
-    """Refuse pieces that no cloth can be cut to.
+    """Refuse pieces that cannot be triangulated.
 
     Raises
     ------
@@ -174,7 +174,7 @@ def _check_segment(segment: Segment, where: str) -> None:
         if float(np.linalg.norm(one[3] - other[0])) > MEET_M:
             hint = "Let every edge begin where the one before ends"
             raise ClonerError(f"the outline of the piece {segment.name!r} is open", hint, where)
-    outline = np.concatenate([even(edge, 16)[:-1] for edge in edges])
+    outline = np.concatenate([evenly_spaced(edge, 16)[:-1] for edge in edges])
     if np.abs(outline).max() > LARGEST_M or float(np.ptp(outline, axis=0).min()) < SMALLEST_M:
         raise ClonerError(f"the piece {segment.name!r} has no garment's size", "Write metres", where)
     if _crosses(outline):
@@ -199,14 +199,14 @@ def _crosses(outline: Array) -> bool:
 
 
 def read_pattern(path: Path) -> Pattern:
-    """Return the garment in a JSON file of ours.
+    """Return the garment in one of our JSON files.
 
     Raises
     ------
     ClonerError
-        As :func:`pattern_told`.
+        As :func:`parse_pattern`.
     """
-    return pattern_told(json_of(path), path.stem, path.name)
+    return parse_pattern(json_of(path), path.stem, path.name)
 
 
 def json_of(path: Path) -> Any:
@@ -223,8 +223,8 @@ def json_of(path: Path) -> Any:
         raise ClonerError("the file is no garment", _HINT, path.name) from error
 
 
-def pattern_told(told: Any, name: str, where: str) -> Pattern:
-    """Return the garment that a JSON file's contents tell.
+def parse_pattern(told: Any, name: str, where: str) -> Pattern:
+    """Return the garment of a JSON file's contents.
 
     Raises
     ------

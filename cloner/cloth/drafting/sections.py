@@ -22,8 +22,8 @@ SAMPLES: Final = 720
 STEP_M: Final = 0.01
 
 
-def hull_ring(points: Array) -> Array:
-    """Return (S + 1, 2) the hull of (N, 2) points, evenly from over its middle to the right; the last is the first."""
+def convex_ring(points: Array) -> Array:
+    """Return (S + 1, 2) the convex hull of (N, 2) points, evenly sampled from above its middle to the right; closed."""
     hull = points[ConvexHull(points).vertices]
     centre = (hull.min(axis=0) + hull.max(axis=0)) / 2.0
     away = hull - centre
@@ -42,7 +42,7 @@ def girth_of(ring: Array) -> float:
     return float(np.linalg.norm(np.diff(ring, axis=0), axis=1).sum())
 
 
-def wider(ring: Array, by_m: float) -> Array:
+def offset_ring(ring: Array, by_m: float) -> Array:
     """Return a convex ring moved outward by ``by_m``."""
     centre = (ring.min(axis=0) + ring.max(axis=0)) / 2.0
     along = np.roll(ring[:-1], -1, axis=0) - np.roll(ring[:-1], 1, axis=0)
@@ -53,8 +53,8 @@ def wider(ring: Array, by_m: float) -> Array:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Frame:
-    """Where a part's slices lie: planes square to ``up`` from ``origin_m`` on.
+class SliceFrame:
+    """The frame of a part's slices: planes perpendicular to ``up`` from ``origin_m`` on.
 
     Attributes
     ----------
@@ -86,7 +86,7 @@ class Sections:
 
     clone: Clone
     waist_m: float
-    frames: dict[str, Frame]
+    frames: dict[str, SliceFrame]
     _kept: dict[tuple[str, int], Array] = field(default_factory=dict)
 
     @property
@@ -95,14 +95,16 @@ class Sections:
         return self.clone.stature_m
 
     def place(self, name: str) -> Array:
-        """Return (3,) a named place of the generic human on the clone; "armpit_left" is the tape's."""
+        """Return (3,) a named point of the generic human on the clone; "armpit_left" is the tape's."""
         points = load_tape_rules().points
         generic = load_generic()
         row = points[name] if name in points else generic.feature(name)
         return np.asarray(self.clone.vertices_m[row])
 
     def ring(self, part: str, at_m: float) -> Array:
-        """Return (S + 1, 2) the hull round a part at a place along its frame's ``up``; beyond its ends the end's."""
+        """Return the (S + 1, 2) hull around a part at a position along its frame's ``up``, clamped to
+        the part's ends.
+        """
         step = round(at_m / STEP_M)
         key = (part, step)
         if key not in self._kept:
@@ -114,7 +116,7 @@ class Sections:
         return girth_of(self.ring(part, at_m))
 
     def arm_length_m(self, side: str) -> float:
-        """Return the way from shoulder to wrist."""
+        """Return the distance from shoulder to wrist."""
         generic = load_generic()
         ends = [self.clone.joints_m[generic.joint(f"{side[0]}_{name}")] for name in ("shoulder", "elbow", "wrist")]
         return float(np.linalg.norm(np.diff(ends, axis=0), axis=1).sum())
@@ -125,22 +127,22 @@ class Sections:
             at = frame.origin_m + (step + off) * STEP_M * frame.up
             points = slice_points(self.clone.vertices_m, frame.triangles, at, frame.up) - frame.origin_m
             if len(points) >= 8:
-                return hull_ring(np.column_stack([points @ frame.left, points @ frame.ahead]))
+                return convex_ring(np.column_stack([points @ frame.left, points @ frame.ahead]))
         raise ValueError(f"{part} has no slice near {step}")
 
 
 def sections(clone: Clone) -> Sections:
-    """Return the slices of a clone at rest."""
+    """Return the sections of a clone at rest."""
     generic, rules = load_generic(), load_tape_rules()
     waist = float(clone.vertices_m[list(rules.level_vertices["natural_waist"]), 1].mean())
     ahead, left = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
-    frames = {"trunk": Frame(np.zeros(3), ahead, left, UP, rules.torso)}
+    frames = {"trunk": SliceFrame(np.zeros(3), ahead, left, UP, rules.torso)}
     for side in ("left", "right"):
         leg, upper, fore = rules.limbs(side)
-        frames[f"{side}_leg"] = Frame(np.zeros(3), ahead, left, UP, leg)
+        frames[f"{side}_leg"] = SliceFrame(np.zeros(3), ahead, left, UP, leg)
         shoulder, wrist = (clone.joints_m[generic.joint(f"{side[0]}_{name}")] for name in ("shoulder", "wrist"))
         up = (shoulder - wrist) / np.linalg.norm(shoulder - wrist)
         top = UP - (UP @ up) * up
         top /= np.linalg.norm(top)
-        frames[f"{side}_arm"] = Frame(shoulder, top, np.cross(up, top), up, np.concatenate([upper, fore]))
+        frames[f"{side}_arm"] = SliceFrame(shoulder, top, np.cross(up, top), up, np.concatenate([upper, fore]))
     return Sections(clone, waist, frames)

@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.cloth.drafting.blocks import line, through
+from cloner.cloth.drafting.blocks import cubic_through, line
 from cloner.cloth.drafting.pattern import Pattern, Segment, length_m
 from cloner.cloth.drafting.sections import STEP_M, Sections
 from cloner.records.arrays import Array
@@ -35,8 +35,8 @@ SEEN_M: Final = 0.015
 
 
 @dataclass(frozen=True, slots=True)
-class Cut:
-    """What tells one upper garment from another.
+class UpperCut:
+    """What distinguishes one upper garment from another.
 
     Attributes
     ----------
@@ -61,16 +61,16 @@ class Cut:
 
 
 #: Ease, hems and sleeves are taste.
-CUTS: Final[Mapping[str, Cut]] = {
-    "tee": Cut(0.10, 0.08, 0.20, 0.36, False, 0.015),
-    "dress": Cut(0.08, 0.55, 0.56, 0.0, False, 0.03),
-    "coat": Cut(0.28, 0.30, 0.48, 1.10, True, 0.02),
+CUTS: Final[Mapping[str, UpperCut]] = {
+    "tee": UpperCut(0.10, 0.08, 0.20, 0.36, False, 0.015),
+    "dress": UpperCut(0.08, 0.55, 0.56, 0.0, False, 0.03),
+    "coat": UpperCut(0.28, 0.30, 0.48, 1.10, True, 0.02),
 }
 TROUSERS: Final = "trousers"
 TAILORED: Final = (*CUTS, TROUSERS)
 
 
-def tailored(name: str, body: Sections, down_m: float | None = None) -> Pattern:
+def draft_tailored(name: str, body: Sections, down_m: float | None = None) -> Pattern:
     """Return a garment drafted from a body.
 
     Parameters
@@ -84,7 +84,7 @@ def tailored(name: str, body: Sections, down_m: float | None = None) -> Pattern:
     return _trousers(body, down_m) if name == TROUSERS else _upper(name, CUTS[name], body, down_m)
 
 
-def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern:
+def _upper(name: str, cut: UpperCut, body: Sections, length: float | None) -> Pattern:
     hem = -(cut.low * body.waist_m if length is None else length)
     under = body.place("armpit_left")[1] - body.waist_m - DROP_M
     chest = (1.0 + cut.ease) * max(body.girth("trunk", under + body.waist_m - k * 0.02) for k in range(6)) / 4.0
@@ -100,14 +100,16 @@ def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern
     }
     segments, seams, held = [], [], []
     for side in ("front", "back"):
-        up = over_m(body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=side == "front")
+        up = extra_over_body_m(
+            body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=side == "front"
+        )
         panel = _panel(
             chest, bottom, hem, under, (shoulder[0], shoulder[1] + up), (collar[0], collar[1] + up),
             min(depth[side], collar[1] - 0.015) + up, side == "front",
         )  # fmt: skip
         lies = tuple((y + (up if y > under else 0.0), y) for y in (hem, under, shoulder[1], collar[1]))
         if cut.is_open and side == "front":
-            segments += [Segment(f"{part}_front", edges, "front", lies) for part, edges in _opened(panel).items()]
+            segments += [Segment(f"{part}_front", edges, "front", lies) for part, edges in _split_front(panel).items()]
         else:
             segments.append(Segment(side, panel, side, lies))
     for part in ("left", "right"):
@@ -126,7 +128,7 @@ def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern
     return Pattern(name, tuple(segments), tuple(seams), tuple(held))
 
 
-def over_m(body: Sections, seam: Array, low: float, *, is_front: bool) -> float:
+def extra_over_body_m(body: Sections, seam: Array, low: float, *, is_front: bool) -> float:
     """Return the extra length over the body compared with straight up, metres, to the middle of a shoulder seam.
 
     ``seam`` (3,) is that middle, ``low`` where the way begins, over the waist. A front that was only as long as the
@@ -171,11 +173,11 @@ def _mirror(point: Point) -> Point:
 
 
 def _mirrored(edge: Array) -> Array:
-    """Return an edge of the other side, run the other way."""
+    """Return an edge of the other side, in opposite direction."""
     return np.asarray(edge[::-1] * [-1.0, 1.0])
 
 
-def _opened(panel: dict[str, Array]) -> dict[str, dict[str, Array]]:
+def _split_front(panel: dict[str, Array]) -> dict[str, dict[str, Array]]:
     """Return the left and the right half of a front."""
     hem, neck = panel["hem"], panel["neck"]
     low = (float(neck.mean(axis=0)[0]), float((neck[0] + 3 * neck[1] + 3 * neck[2] + neck[3])[1] / 8.0))
@@ -197,7 +199,7 @@ def _opened(panel: dict[str, Array]) -> dict[str, dict[str, Array]]:
     return {"left": left, "right": right}
 
 
-def _sleeve(part: str, cut: Cut, body: Sections, hole: float) -> Segment:
+def _sleeve(part: str, cut: UpperCut, body: Sections, hole: float) -> Segment:
     """Return a sleeve whose cap is as long as both armholes of its side, ``hole`` each."""
     arm = f"{part}_arm"
     long = cut.sleeve * body.arm_length_m(part)
@@ -240,7 +242,7 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
         edges = {
             "hem": line(*bottom),
             "out": np.array([bottom[1], (middle + half, 0.6 * hem + 0.4 * seat), (wide[0], seat + 0.4 * crotch), wide]),
-            "hip": through(wide, (fulls[0], 2.0 * seat / 3.0), (fulls[1], seat / 3.0), (waist, 0.0)),
+            "hip": cubic_through(wide, (fulls[0], 2.0 * seat / 3.0), (fulls[1], seat / 3.0), (waist, 0.0)),
             "waist": line((waist, 0.0), (0.0, 0.0)),
             "rise": np.array([(0.0, 0.0), (0.0, 0.8 * crotch), (-0.15 * reach, crotch), (-reach, crotch)]),
             "in": line((-reach, crotch), bottom[0]),

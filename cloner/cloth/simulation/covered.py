@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.cloth.simulation.moving import Worn
+from cloner.cloth.simulation.moving import WornGarment
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.triangles import edges_of, triangle_sides
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -20,8 +20,8 @@ DEEP_M: Final = 0.005
 EVERY: Final = 3
 
 
-def covered(worn: Worn, frames_m: Array, deep_m: float = DEEP_M) -> NDArray[np.bool_]:
-    """Return (V,) which vertices of the generic human lie so deep under cloth in all frames (F, N, 3), no hem near."""
+def deeply_covered(worn: WornGarment, frames_m: Array, deep_m: float = DEEP_M) -> NDArray[np.bool_]:
+    """Return (V,) which vertices of the generic human lie deep under cloth in all frames (F, N, 3), away from hems."""
     faces, body = worn.cloth.faces.astype(np.int32), worn.body
     ends, count = np.unique(np.sort(triangle_sides(faces), axis=1), axis=0, return_counts=True)
     hem = np.zeros(worn.cloth.count, dtype=bool)

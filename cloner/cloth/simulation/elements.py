@@ -72,8 +72,8 @@ class Elements:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Strained:
-    """Triangles under strain.
+class Strain:
+    """Strain of all triangles.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class Strained:
     strain: Array
 
 
-def elements_of(cloth: Cloth, fabric: Fabric) -> Elements:
+def make_elements(cloth: Cloth, fabric: Fabric) -> Elements:
     """Return a garment's elements."""
     corner = cloth.flat_m[cloth.triangles]
     one, other = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
@@ -100,7 +100,7 @@ def elements_of(cloth: Cloth, fabric: Fabric) -> Elements:
 
 
 def _bending(cloth: Cloth, area_m2: Array, fabric: Fabric) -> tuple[Ints, sparse.csr_matrix, Array, Array, Array]:
-    """Return hinges, the rows that give bending vectors, their stiffness, and friction's force and way.
+    """Return hinges, the rows that give bending vectors, their stiffness, and friction's force and travel.
 
     A hinge's vector over half its heights' product is the curvature across it less a third of that along it, q. In a
     hexagonal grid B A (3/4 sum q² + 1/4 (sum q)²) / 2 a triangle is a plate's energy without Poisson's coupling.
@@ -132,13 +132,13 @@ def _bending(cloth: Cloth, area_m2: Array, fabric: Fabric) -> tuple[Ints, sparse
 
 
 def _directed(lean: Array, warp: float, weft: float) -> Array:
-    """Return (I,) a hinge's share of what bends along warp and weft; exact with a hexagonal grid's three directions."""
+    """Return (I,) a hinge's share of the bending along warp and weft; exact for a hexagonal grid's three directions."""
     turned = 2.0 * lean - 1.0
     share = 0.5 + 1.5 * turned - turned**3
     return np.asarray(np.maximum(share * weft + (1.0 - share) * warp, 0.1 * min(warp, weft)))
 
 
-def strained(made: Elements, places_m: Array) -> Strained:
+def compute_strain(made: Elements, places_m: Array) -> Strain:
     """Return the strain of all triangles."""
     weft, warp = np.einsum("tdk,tka->dta", made.along, places_m[made.faces])
     strain = np.stack(
@@ -149,11 +149,13 @@ def strained(made: Elements, places_m: Array) -> Strained:
         ],
         axis=1,
     )
-    return Strained(weft, warp, strain)
+    return Strain(weft, warp, strain)
 
 
 def stresses(fabric: Fabric, strain: Array) -> tuple[Array, Array, Array]:
-    """Return stress (T, 3) by the curves' middles, their slopes and the half widths of their loops, all N/m."""
+    """Return stress (T, 3) by the curves' middles, their slopes and the half widths of their
+    hysteresis loops, all N/m.
+    """
     stress, slope, half = np.empty_like(strain), np.empty_like(strain), np.empty_like(strain)
     for axis, row in ((0, 1), (1, 0)):  # weft's numbers stand second
         full, linear, back = fabric.extension[row], fabric.linearity[row], fabric.resilience[row]
@@ -181,8 +183,8 @@ def _coupling(fabric: Fabric) -> float:
 
 
 def energy_j(made: Elements, places_m: Array) -> float:
-    """Return the elastic energy of places (N, 3), joules: extension, shearing and bending, without friction's."""
-    fabric, strain = made.fabric, strained(made, places_m).strain
+    """Return the elastic energy at positions (N, 3), joules: extension, shearing and bending, without friction's."""
+    fabric, strain = made.fabric, compute_strain(made, places_m).strain
     density = _coupling(fabric) * strain[:, 0] * strain[:, 1]
     density += SHEARING_N_M * sum(fabric.shearing) / 4.0 * strain[:, 2] ** 2
     for axis, row in ((0, 1), (1, 0)):

@@ -86,7 +86,7 @@ class Fabric:
 
 @dataclass(frozen=True, slots=True)
 class _Reading:
-    """One line of a sheet: the record's word, what a unit of it is there, and what it may be."""
+    """One line of a fabric's sheet: the record's field, its unit, and the accepted range."""
 
     word: str
     unit: float
@@ -115,7 +115,7 @@ _HINT: Final = "See docs/cloth.md for the form of a fabric's file"
 
 
 def _fabric(name: str, text: str, where: str) -> Fabric:
-    """Return the fabric that a file's text tells.
+    """Return the fabric of a file's text.
 
     Raises
     ------

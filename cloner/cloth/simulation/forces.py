@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.cloth.simulation.elements import Elements, Strained, strained, stresses
+from cloner.cloth.simulation.elements import Elements, Strain, compute_strain, stresses
 from cloner.cloth.simulation.fabrics import FULL_N_M
 from cloner.records.arrays import Array
 
@@ -32,31 +32,31 @@ STRAIGHT: Final = 1.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Slips:
-    """Where the friction of threads holds: strains (T, 3) of weft, warp, shearing; bending (I,), metres."""
+    """Anchors of the threads' friction: strains (T, 3) of weft, warp, shearing; bending (I,), metres."""
 
     strain: Array
     bent_m: Array
 
 
-def unslipped(made: Elements) -> Slips:
-    """Return slips of cloth that was never drawn nor bent."""
+def no_slips(made: Elements) -> Slips:
+    """Return the anchors of cloth that was never stretched or bent."""
     return Slips(np.zeros((len(made.faces), 3)), np.zeros(len(made.hinges)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Tension:
-    """Forces (T, 3, 3) on corners, newtons; blocks (T, 3, 3, 3, 3) of the matrix, kg; where friction holds (T, 3)."""
+class MembraneForces:
+    """Forces (T, 3, 3) on corners, newtons; blocks (T, 3, 3, 3, 3) of the matrix, kg; friction's anchors (T, 3)."""
 
     push_n: Array
     blocks: Array
     held: Array
 
 
-def tension(made: Elements, places: Array, speeds: Array, slipped: Array, h: float) -> Tension:
+def membrane_forces(made: Elements, places: Array, speeds: Array, slipped: Array, h: float) -> MembraneForces:
     """Return forces of the triangles at the end of a step of ``h`` seconds; ``slipped`` (T, 3) are
     friction's anchors.
     """
-    now = strained(made, places)
+    now = compute_strain(made, places)
     stress, slope, half = stresses(made.fabric, now.strain)
     reach = np.array([SLIP_STRAIN, SLIP_STRAIN, SLIP_SHEAR])
     drawn = now.strain - slipped
@@ -67,41 +67,41 @@ def tension(made: Elements, places: Array, speeds: Array, slipped: Array, h: flo
     rate = np.einsum("tcka,tka->tc", grown, speeds[made.faces])
     soon = now.strain[:, :2] > 0.0
     slope[:, :2] = np.maximum(slope[:, :2], soon * STRAIGHT * FULL_N_M / np.array(made.fabric.extension[::-1]))
-    spread = _spread(made, stress)
+    spread = _geometric_stiffness(made, stress)
     push = -np.einsum("tc,tcka->tka", made.area_m2[:, None] * (stress + VISCOUS_S * slope * rate), grown)
     stiff = h * (h + VISCOUS_S) * made.area_m2[:, None] * slope
     flat = grown.reshape(len(grown), 3, 9)
     blocks = (flat.transpose(0, 2, 1) @ (stiff[:, :, None] * flat)).reshape(-1, 3, 3, 3, 3).transpose(0, 1, 3, 2, 4)
-    return Tension(push, blocks + h * h * spread[:, :, :, None, None] * np.eye(3), now.strain - kept)
+    return MembraneForces(push, blocks + h * h * spread[:, :, :, None, None] * np.eye(3), now.strain - kept)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Bent:
-    """Forces (R, 3) of the rows of bending, newtons, and where friction holds (I,), metres."""
+class BendingForces:
+    """Forces (R, 3) of the rows of bending, newtons, and friction's anchors (I,), metres."""
 
     turn_n: Array
     held_m: Array
 
 
-def bending(made: Elements, places: Array, speeds: Array, slipped_m: Array) -> Bent:
+def bending_forces(made: Elements, places: Array, speeds: Array, slipped_m: Array) -> BendingForces:
     """Return forces of the hinges at the end of a step; friction acts along a hinge's own normal."""
     hinges, bent, normal = len(made.hinges), made.bends @ places, _normals(made, places)
     away = np.einsum("ia,ia->i", bent[:hinges], normal)
     kept = np.clip(away - slipped_m, -made.slip_m, made.slip_m)
     turn = made.bends_n_m[:, None] * (bent + VISCOUS_S * (made.bends @ speeds))
     turn[:hinges] += (made.slip_n / made.slip_m * kept)[:, None] * normal
-    return Bent(turn, away - kept)
+    return BendingForces(turn, away - kept)
 
 
-def _gradients(made: Elements, now: Strained) -> Array:
+def _gradients(made: Elements, now: Strain) -> Array:
     """Return the derivatives (T, 3, 3, 3) of weft, warp and shear strain by each corner's position, 1/m."""
     weft, warp = made.along[:, 0, :, None], made.along[:, 1, :, None]
     across, down = now.weft[:, None, :], now.warp[:, None, :]
     return np.stack([weft * across, warp * down, weft * down + warp * across], axis=1)
 
 
-def _spread(made: Elements, stress: Array) -> Array:
-    """Return (T, 3, 3) stiffness that stress gives by turning, N/m: of what is drawn, so that it stays positive."""
+def _geometric_stiffness(made: Elements, stress: Array) -> Array:
+    """Return (T, 3, 3) the stiffness of stress under rotation, N/m: tension only, so that it stays positive."""
     mean, apart = (stress[:, 0] + stress[:, 1]) / 2.0, (stress[:, 0] - stress[:, 1]) / 2.0
     radius = np.maximum(np.hypot(apart, stress[:, 2]), 1e-12)
     high, low = np.maximum(mean + radius, 0.0), np.maximum(mean - radius, 0.0)

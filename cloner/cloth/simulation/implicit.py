@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from cloner.cloth.drafting.cut import Cloth
-from cloner.cloth.simulation.core.host import Core
-from cloner.cloth.simulation.elements import Elements, elements_of
+from cloner.cloth.simulation.core.host import ClothEngine
+from cloner.cloth.simulation.elements import Elements, make_elements
 from cloner.cloth.simulation.fabrics import Fabric
-from cloner.cloth.simulation.forces import VISCOUS_S, Slips, bending, tension, unslipped
-from cloner.cloth.simulation.solver import FASTEST_M_S, REACH_M, THICK_M, Lead, Sheet, State, strains
+from cloner.cloth.simulation.forces import VISCOUS_S, Slips, bending_forces, membrane_forces, no_slips
+from cloner.cloth.simulation.solver import FASTEST_M_S, REACH_M, THICK_M, LoopTarget, Sheet, State, strains
 from cloner.cloth.simulation.wearer import Skin
 from cloner.records.arrays import Array
 
@@ -45,7 +45,7 @@ APART_ROUNDS: Final = 6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class System:
-    """The matrix's places: 3 x 3 blocks of vertices that share a triangle or bend together.
+    """The matrix's sparsity: 3 x 3 blocks of vertices that share a triangle or a hinge.
 
     Attributes
     ----------
@@ -71,9 +71,9 @@ class System:
     elements: Elements
 
 
-def system_of(cloth: Cloth, fabric: Fabric) -> System:
-    """Return a garment's elements and their matrix's places."""
-    made, count = elements_of(cloth, fabric), cloth.count
+def make_system(cloth: Cloth, fabric: Fabric) -> System:
+    """Return a garment's elements and the sparsity of their matrix."""
+    made, count = make_elements(cloth, fabric), cloth.count
     stiff = made.bends_n_m.copy()
     stiff[: len(made.hinges)] += made.slip_n / made.slip_m
     back = made.bends.T.tocsr()
@@ -93,16 +93,16 @@ def system_of(cloth: Cloth, fabric: Fabric) -> System:
 
 def step(
     sheet: Sheet,
-    core: Core,
+    core: ClothEngine,
     system: System,
     state: State,
     skin_now: Skin,
     held_m: tuple[Array, Array],
     seconds: float,
     wind_m_s: Array,
-    lead: Lead | None = None,
+    lead: LoopTarget | None = None,
 ) -> State:
-    """Return the state a frame later; as `solver.step`, by elements, in as many steps as the cloth needs."""
+    """Return the state a frame later, like `solver.step` but by elements, in as many steps as needed."""
     frame = _Frame(core, held_m, seconds, wind_m_s, lead)
     core.meet(skin_now)
     done, size = 0, FINEST // STEPS
@@ -119,19 +119,19 @@ def step(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Frame:
-    """What acts in a frame: the engine that met its skin, held places early and late, seconds, the wind, the lead."""
+    """What acts in a frame: the engine with its skin, held positions early and late, seconds, wind, and target."""
 
-    core: Core
+    core: ClothEngine
     held_m: tuple[Array, Array]
     seconds: float
     wind_m_s: Array
-    lead: Lead | None
+    lead: LoopTarget | None
 
 
 def _moved(
     sheet: Sheet, system: System, state: State, frame: _Frame, early: float, late: float, *, given_up: bool
 ) -> State | None:
-    """Return the state after one step from one share of a frame to another, or None if it drew cloth out too far."""
+    """Return the state after one step from one share of a frame to another, or None if it stretched cloth too far."""
     before, h = state.places_m, (late - early) * frame.seconds
     held = (1.0 - late) * frame.held_m[0] + late * frame.held_m[1]
     core, now = frame.core, frame.core.arrays
@@ -143,14 +143,14 @@ def _moved(
     under = np.flatnonzero(now["near"])
     normals, early_m, late_m = (now[f"plane_{name}"][under] for name in ("normal", "early", "late"))
     base = early_m + late * (late_m - early_m)
-    slips, speeds = state.slips or unslipped(system.elements), np.zeros_like(before)
+    slips, speeds = state.slips or no_slips(system.elements), np.zeros_like(before)
     speeds[sheet.held] = (held - before[sheet.held]) / h
     for _ in range(ROUNDS):
         over = np.einsum("ij,ij->i", (before + h * speeds)[under] - base, normals) - THICK_M
         met = np.flatnonzero(over < 0.0)
-        touch = _Touch(under[met], normals[met], -over[met] / h)
+        touch = _Contacts(under[met], normals[met], -over[met] / h)
         lag = sheet.mass_kg[:, None] * (state.speeds_m_s - speeds)
-        more, drawn = _gained(sheet, system, before, speeds, slips, h * outside + lag, h, touch)
+        more, drawn = _newton_step(sheet, system, before, speeds, slips, h * outside + lag, h, touch)
         speeds += more
     fast = np.linalg.norm(speeds, axis=1)
     speeds *= np.minimum(1.0, FASTEST_M_S / np.maximum(fast, 1e-9))[:, None]
@@ -173,23 +173,26 @@ def _moved(
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Touch:
-    """Vertices (K,) that would be in the skin after a step, its normals (K, 3), and the speed out of it (K,), m/s."""
+class _Contacts:
+    """Vertices (K,) that a step would move into the skin, its normals (K, 3), and the speed out of it (K,), m/s."""
 
     rows: Ints
     normals: Array
     out_m_s: Array
 
 
-def _gained(
-    sheet: Sheet, system: System, before: Array, speeds: Array, slips: Slips, thrust: Array, h: float, touch: _Touch
+def _newton_step(
+    sheet: Sheet, system: System, before: Array, speeds: Array, slips: Slips, thrust: Array, h: float, touch: _Contacts
 ) -> tuple[Array, Slips]:
     """Return the change of a step's speeds (N, 3) by one Newton iteration, m/s, and friction's new anchors.
 
     ``thrust`` (N, 3), kg m/s, is what acts from outside and what the speeds lack.
     """
     made, places = system.elements, before + h * speeds
-    drawn, bent = tension(made, places, speeds, slips.strain, h), bending(made, places, speeds, slips.bent_m)
+    drawn, bent = (
+        membrane_forces(made, places, speeds, slips.strain, h),
+        bending_forces(made, places, speeds, slips.bent_m),
+    )
     thrust = thrust - h * (system.back @ bent.turn_n)
     for axis in range(3):
         thrust[:, axis] += h * np.bincount(made.faces.ravel(), drawn.push_n[:, :, axis].ravel(), len(places))
@@ -205,7 +208,7 @@ def _gained(
 
 
 def _solved(system: System, data: Array, right: Array, held: Ints) -> Array:
-    """Return (N, 3) speeds gained, none by held vertices; conjugate gradients."""
+    """Return (N, 3) changes of speed, 0 for held vertices; conjugate gradients."""
     count = len(right)
     matrix = sparse.bsr_matrix((data, system.columns, system.starts), shape=(3 * count, 3 * count))
     right[held] = 0.0

@@ -36,7 +36,9 @@ class Under:
     loop_m: Array
 
     def at(self, frame: int) -> Array:
-        """Return (N, 3) its points in a frame from the beginning on; within the first cycle it goes into its loop."""
+        """Return (N, 3) its points in a frame counted from the beginning; within the first cycle it blends into its
+        loop.
+        """
         count = len(self.loop_m)
         begun = frame - (len(self.put_m) - count)
         if begun < 0:
@@ -48,7 +50,7 @@ class Under:
         return np.asarray((1.0 - share) * self.put_m[frame] + share * looped)
 
 
-def wearer_over(body: Wearer, under: Under, hung: int) -> Wearer:
+def layered_collider(body: Wearer, under: Under, hung: int) -> Wearer:
     """Return the collider of body and lower cloth: its points after the skin's, without the skin close below it.
 
     Parameters

@@ -1,4 +1,4 @@
-"""Closed loops of cloth motion: the best stretch of a long simulation is found in two passes and closed.
+"""Closed loops of cloth motion: the best stretch of a long simulation is found, and closed in two passes.
 
 The crowd paper, section "cyclic cloth": the human cycle is repeated many times; pass 1 compares all vertices of frames
 that lie a whole number of cycles apart (the body is then the same), pass 2 edge images of the best of them. From there
@@ -21,10 +21,10 @@ from typing import Final
 import cv2
 import numpy as np
 
-from cloner.cloth.simulation.core.host import pushed_out
-from cloner.cloth.simulation.moving import Worn
-from cloner.cloth.simulation.solver import Lead, State
-from cloner.cloth.simulation.wearer import FRAMES_PER_S, skin_between
+from cloner.cloth.simulation.core.host import push_out_of_skin
+from cloner.cloth.simulation.moving import WornGarment
+from cloner.cloth.simulation.solver import LoopTarget, State
+from cloner.cloth.simulation.wearer import FRAMES_PER_S, skin_interval
 from cloner.easing import smoothstep
 from cloner.evaluate.measures.crossings import self_intersections
 from cloner.geometry.cameras.viewpoints import framing_camera
@@ -53,7 +53,7 @@ NEARLY: Final = 1.5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Loop:
-    """A closed stretch of cloth.
+    """A closed stretch of cloth motion.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class Loop:
     moved_mm: float
 
 
-def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = lambda _: None) -> Loop:
+def find_loop(worn: WornGarment, places_m: Array, progress: Callable[[float], None] = lambda _: None) -> Loop:
     """Return the best closed loop of a simulation.
 
     Parameters
@@ -101,7 +101,7 @@ def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = l
             break
     tried: list[tuple[int, int, Loop]] = []
     for start in sorted(finalists, key=lambda start: _edge_px(worn, places_m[start], places_m[start + period])):
-        loop = _closed(worn, _repeated(worn, places_m, start, progress), usual_m)
+        loop = _crossfade(worn, _repeat_led(worn, places_m, start, progress), usual_m)
         crossings = sum(len(self_intersections(frame, worn.cloth.faces).pairs) for frame in loop.frames_m)
         tried.append((crossings, len(tried), loop))
         if not crossings:
@@ -110,15 +110,15 @@ def best_loop(worn: Worn, places_m: Array, progress: Callable[[float], None] = l
 
 
 def _gaps_m(places_m: Array, apart: int) -> Array:
-    """Return RMS distances of all vertices between frames at some distance in time, speeds included."""
+    """Return RMS distances of all vertices between frames some time apart, speeds included."""
     away = [late - early for early, late in zip(places_m, places_m[apart:], strict=False)]
     pairs = pairwise(away)
     squares = [(now**2 + ((now - before) * FRAMES_PER_S * SPEED_S) ** 2).sum(axis=1).mean() for before, now in pairs]
     return np.sqrt(np.array(squares, dtype=np.float64))
 
 
-def _edge_px(worn: Worn, first_m: Array, last_m: Array) -> float:
-    """Return the mean distance in pixels between edges seen in the pictures of two frames, both ways."""
+def _edge_px(worn: WornGarment, first_m: Array, last_m: Array) -> float:
+    """Return the mean symmetric distance in pixels between edges in the pictures of two frames."""
     found = []
     for view in VIEWS:
         camera = framing_camera(first_m, view, PICTURE_PX, PICTURE_PX)
@@ -132,8 +132,8 @@ def _edge_px(worn: Worn, first_m: Array, last_m: Array) -> float:
     return float(np.mean(found)) if found else 0.0
 
 
-def _repeated(worn: Worn, places_m: Array, start: int, progress: Callable[[float], None]) -> Array:
-    """Return (S, N, 3) the frames to a stretch's end and those of the cycles that follow, each led to the one before.
+def _repeat_led(worn: WornGarment, places_m: Array, start: int, progress: Callable[[float], None]) -> Array:
+    """Return (S, N, 3) the frames to a stretch's end and those of the following cycles, each led to the one before.
 
     Feedback that is delayed by a period (Pyragas 1992) pulls no more once cloth repeats itself: it nears a cycle of its
     own, not a mean of two. The gap of a skirt of 60 cm falls from 23 to 4 mm in four cycles, of a long one from 50 to
@@ -141,17 +141,17 @@ def _repeated(worn: Worn, places_m: Array, start: int, progress: Callable[[float
     """
     period = len(worn.rotations)
     out = list(places_m[: start + period + 1])
-    state, met = _state_at(np.array(out[-3:])), worn.met_in(start + period)
+    state, met = _state_at(np.array(out[-3:])), worn.colliders_in(start + period)
     for number in range(len(out), len(out) + REPEATS * period):
-        now = worn.met_in(number)
-        lead = Lead(out[number - 1 - period], out[number - period], FEEDBACK)
+        now = worn.colliders_in(number)
+        lead = LoopTarget(out[number - 1 - period], out[number - period], FEEDBACK)
         state, met = worn.after(state, met, now, lead=lead), now
         out.append(state.places_m)
         progress((number - start - period) / (REPEATS * period))
     return np.array(out)
 
 
-def _closed(worn: Worn, places_m: Array, usual_m: float) -> Loop:
+def _crossfade(worn: WornGarment, places_m: Array, usual_m: float) -> Loop:
     """Return the last two cycles faded into a loop; ``usual_m`` is the median cut.
 
     It begins in the later one and ends in the earlier one, so that the end leads to the beginning. A mean of two cycles
@@ -169,7 +169,7 @@ def _closed(worn: Worn, places_m: Array, usual_m: float) -> Loop:
     frames = np.empty_like(faded)
     for number in range(period):
         frame = (start + number) % period
-        frames[frame] = cleared(worn, faded[number], frame)
+        frames[frame] = clear_of_skin(worn, faded[number], frame)
     return Loop(
         frames,
         start % period,
@@ -181,17 +181,17 @@ def _closed(worn: Worn, places_m: Array, usual_m: float) -> Loop:
 
 
 def _jolt_m(places_m: Array) -> float:
-    """Return the farthest that a vertex leaves its straight way in the middle two of four frames (4, N, 3)."""
+    """Return the largest deviation of a vertex from a straight path in the middle two of four frames (4, N, 3)."""
     return float(np.linalg.norm(np.diff(places_m, 2, axis=0), axis=2).max())
 
 
 def _state_at(latest_m: Array) -> State:
-    """Return the state in the last of three frames (3, N, 3) of which places alone are known."""
+    """Return the state in the last of three frames (3, N, 3) of which only positions are known."""
     earlier, before, last = latest_m
     return State(last, (3.0 * last - 4.0 * before + earlier) * FRAMES_PER_S / 2.0)
 
 
-def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
-    """Return a frame's cloth out of the skin; the same start always gives the same."""
-    skin_m = worn.met_in(frame).skin_m
-    return pushed_out(places_m, skin_between(worn.body, skin_m, skin_m), CLEAR_M, 0.05, PUSHES)
+def clear_of_skin(worn: WornGarment, places_m: Array, frame: int) -> Array:
+    """Return a frame's cloth pushed out of the skin; deterministic for the same start."""
+    skin_m = worn.colliders_in(frame).skin_m
+    return push_out_of_skin(places_m, skin_interval(worn.body, skin_m, skin_m), CLEAR_M, 0.05, PUSHES)

@@ -9,18 +9,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.cloth.drafting.cut import Cloth, cut
+from cloner.cloth.drafting.cut import Cloth, triangulate
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import sections
 from cloner.cloth.simulation import implicit
-from cloner.cloth.simulation.core.host import Core, pushed_out
+from cloner.cloth.simulation.core.host import ClothEngine, push_out_of_skin
 from cloner.cloth.simulation.fabrics import Fabric
-from cloner.cloth.simulation.implicit import System, system_of
-from cloner.cloth.simulation.layered import Under, wearer_over
-from cloner.cloth.simulation.placing import Band, Ring, band, outside, placed
-from cloner.cloth.simulation.solver import FASTEST_M_S, THICK_M, Lead, Sheet, State, core_of, sheet_of, step
-from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, skin_between, wearer
-from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrapped
+from cloner.cloth.simulation.implicit import System, make_system
+from cloner.cloth.simulation.layered import Under, layered_collider
+from cloner.cloth.simulation.placing import HeldBand, Ring, make_band, place_around, push_outside
+from cloner.cloth.simulation.solver import FASTEST_M_S, THICK_M, LoopTarget, Sheet, State, make_engine, make_sheet, step
+from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, cycle_frames, make_wearer, skin_interval
+from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrap_around
 from cloner.easing import smoothstep
 from cloner.errors import ClonerError
 from cloner.records.arrays import Array
@@ -47,15 +47,15 @@ GENTLE_M_S, CALM = 1.0, 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Met:
-    """What cloth meets in a frame: points of skin (B, 3), those of what is worn below after them; the held places."""
+class Colliders:
+    """What cloth collides with in a frame: points of skin (B, 3), then those of lower cloth; the held positions."""
 
     skin_m: Array
     held_m: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Worn:
+class WornGarment:
     """A garment on a clone.
 
     Attributes
@@ -79,9 +79,9 @@ class Worn:
 
     cloth: Cloth
     sheet: Sheet
-    core: Core
+    core: ClothEngine
     body: Wearer
-    band: Band
+    band: HeldBand
     root_m: Array
     rotations: Array
     speed_m_s: float
@@ -89,20 +89,24 @@ class Worn:
     under: Under | None = None
     system: System | None = None
 
-    def met(self, root_m: Array, rotations: Array, below_m: Array | None) -> Met:
-        """Return the colliders in a pose, with the points (N, 3) of what is worn below."""
+    def colliders(self, root_m: Array, rotations: Array, below_m: Array | None) -> Colliders:
+        """Return the colliders in a pose, with the points (N, 3) of lower cloth."""
         skin_m = self.body.posed(root_m, rotations)
-        return Met(skin_m if below_m is None else np.concatenate([skin_m, below_m]), self.band.posed(root_m, rotations))
+        return Colliders(
+            skin_m if below_m is None else np.concatenate([skin_m, below_m]), self.band.posed(root_m, rotations)
+        )
 
-    def met_in(self, frame: int) -> Met:
-        """Return the colliders in a frame of the walk, with what is worn below in its loop."""
+    def colliders_in(self, frame: int) -> Colliders:
+        """Return the colliders in a frame of the walk, with lower cloth in its loop."""
         frame %= len(self.rotations)
         below_m = None if self.under is None else self.under.loop_m[frame]
-        return self.met(self.root_m[frame], self.rotations[frame], below_m)
+        return self.colliders(self.root_m[frame], self.rotations[frame], below_m)
 
-    def after(self, state: State, before: Met, now: Met, *, settles: bool = False, lead: Lead | None = None) -> State:
-        """Return the cloth's state a frame later; while it settles there is neither haste nor wind."""
-        skin = skin_between(self.body, before.skin_m, now.skin_m)
+    def after(
+        self, state: State, before: Colliders, now: Colliders, *, settles: bool = False, lead: LoopTarget | None = None
+    ) -> State:
+        """Return the cloth's state a frame later; while it settles there is neither inertia limit nor wind."""
+        skin = skin_interval(self.body, before.skin_m, now.skin_m)
         wind = np.array([0.0, 0.0, 0.0 if settles else -self.speed_m_s])
         held = (before.held_m, now.held_m)
         if self.system is not None:
@@ -111,7 +115,7 @@ class Worn:
         return step(self.core, self.sheet.fabric, state, skin, held, 1.0 / FRAMES_PER_S, SUBSTEPS, wind, lead, fastest)
 
 
-def put_on(
+def place_garment(
     clone: Clone,
     pattern: Pattern,
     ring: Ring | None,
@@ -121,8 +125,8 @@ def put_on(
     under: Under | None = None,
     *,
     elements: bool = False,
-) -> Worn:
-    """Return a garment placed around a clone at rest, not yet released; what hangs from a ring needs it.
+) -> WornGarment:
+    """Return a garment placed around a clone at rest, not yet released; ``ring`` if it hangs from one.
 
     ``under`` is a garment that is worn already: the new one is placed over it. With ``elements`` the source's
     integrator moves it, else threads.
@@ -132,38 +136,38 @@ def put_on(
     ClonerError
         If its pieces cannot be laid round the body.
     """
-    cloth = cut(pattern, step_m)
-    body = wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
+    cloth = triangulate(pattern, step_m)
+    body = make_wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
     met_m = clone.vertices_m[body.rows]
     if under is not None:
-        body = wearer_over(body, under, SETTLE - 1)
+        body = layered_collider(body, under, SETTLE - 1)
         met_m = np.concatenate([clone.vertices_m[body.rows], under.at(SETTLE - 1)])
     if ring is None:
-        places, held, held_m = wrapped(pattern, cloth, sections(clone))
+        places, held, held_m = wrap_around(pattern, cloth, sections(clone))
     else:
-        places, held, held_m = placed(pattern, cloth, ring)
-        places = outside(places, met_m, held)
+        places, held, held_m = place_around(pattern, cloth, ring)
+        places = push_outside(places, met_m, held)
     if not np.isfinite(places).all():
         hint = "See docs/cloth.md for how a garment is drawn"
         raise ClonerError(f"the garment {pattern.name!r} cannot be laid round this body", hint, "--garment")
-    now = skin_between(body, met_m, met_m)
+    now = skin_interval(body, met_m, met_m)
     if under is not None:
-        places = pushed_out(places, now, THICK_M, DEEP_M, PUSHES)  # what will be held as well
+        places = push_out_of_skin(places, now, THICK_M, DEEP_M, PUSHES)  # what will be held as well
         held_m = places[held]
-    root, rotations = frames(motion)
-    tied = band(clone, held_m, body.rows)
-    sheet = sheet_of(cloth, fabric, held)
-    core = core_of(sheet, len(met_m))
+    root, rotations = cycle_frames(motion)
+    tied = make_band(clone, held_m, body.rows)
+    sheet = make_sheet(cloth, fabric, held)
+    core = make_engine(sheet, len(met_m))
     if ring is None or under is not None:
         core.meet(now)
-        places = _eased(core, held, places)
+        places = _relaxed(core, held, places)
     state = State(places, np.zeros_like(places))
-    system = system_of(cloth, fabric) if elements else None
-    return Worn(cloth, sheet, core, body, tied, root, rotations, motion.speed_m_s, state, under, system)
+    system = make_system(cloth, fabric) if elements else None
+    return WornGarment(cloth, sheet, core, body, tied, root, rotations, motion.speed_m_s, state, under, system)
 
 
-def _eased(core: Core, held: Ints, places_m: Array) -> Array:
-    """Return places in which threads that sewing stretched are back at their lengths, outside the skin, weightless."""
+def _relaxed(core: ClothEngine, held: Ints, places_m: Array) -> Array:
+    """Return positions in which seam-stretched threads have their lengths again, outside the skin, without gravity."""
     out = core.arrays["place"]
     out[:], core.arrays["velocity"][:] = places_m, 0.0
     for number in range(EASING):
@@ -179,8 +183,8 @@ def _eased(core: Core, held: Ints, places_m: Array) -> Array:
     return np.array(out)
 
 
-def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None) -> Iterator[tuple[int, State]]:
-    """Yield the cloth's state after every frame: negative numbers while it is put on, then from 0 on.
+def simulate(worn: WornGarment, cycles: int, done: int = 0, state: State | None = None) -> Iterator[tuple[int, State]]:
+    """Yield the cloth's state after every frame: negative numbers while it settles, then from 0 on.
 
     With ``done`` frames behind it, it goes on from the ``state`` after the last of them.
     """
@@ -192,9 +196,9 @@ def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None)
     put = len(poses)
     poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]
     state = worn.start if state is None else state
-    before = _met_at(worn, poses, max(done - 1, 0))
+    before = _colliders_at(worn, poses, max(done - 1, 0))
     for number in range(done, len(poses)):
-        now = _met_at(worn, poses, number)
+        now = _colliders_at(worn, poses, number)
         state = worn.after(state, before, now, settles=number < SETTLE)
         if number < SETTLE:
             state = replace(state, speeds_m_s=CALM * state.speeds_m_s)
@@ -202,6 +206,6 @@ def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None)
         yield number - put + 1, state
 
 
-def _met_at(worn: Worn, poses: Sequence[tuple[Array, Array]], number: int) -> Met:
+def _colliders_at(worn: WornGarment, poses: Sequence[tuple[Array, Array]], number: int) -> Colliders:
     """Return the colliders in a frame counted from the beginning."""
-    return worn.met(*poses[number], None if worn.under is None else worn.under.at(number))
+    return worn.colliders(*poses[number], None if worn.under is None else worn.under.at(number))

@@ -1,4 +1,4 @@
-"""Placement of pieces around the body: close without contact, seams beside each other.
+"""Initial placement of pieces around the body: close without contact, seams beside each other.
 
 A garment hangs from a ring: the convex hull of the body's slice at its level, as a tape would lie. A piece's points
 keep their distance from its upper edge and go outward as its hem is longer than that; seams go half-way between
@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, cKDTree
 
 from cloner.cloth.drafting.cut import Cloth
-from cloner.cloth.drafting.pattern import Pattern, even, length_m
-from cloner.cloth.drafting.sections import girth_of, hull_ring, wider
+from cloner.cloth.drafting.pattern import Pattern, evenly_spaced, length_m
+from cloner.cloth.drafting.sections import convex_ring, girth_of, offset_ring
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
@@ -41,7 +41,7 @@ RING: Final = 720
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ring:
-    """What a garment hangs from, in rest pose.
+    """The ring that a garment hangs from, in rest pose.
 
     Attributes
     ----------
@@ -54,22 +54,22 @@ class Ring:
     girth_m: float
 
     def at(self, share: Array) -> Array:
-        """Return (N, 3) places at shares of the way round."""
+        """Return (N, 3) points at shares of the ring's length."""
         way = np.mod(share, 1.0) * (len(self.points_m) - 1)
         return np.column_stack([np.interp(way, np.arange(len(self.points_m)), self.points_m[:, k]) for k in range(3)])
 
 
 def body_ring(clone: Clone, level: str) -> Ring:
-    """Return the ring round a clone's skin, clothes included, at a level of the tape's rules."""
+    """Return the ring around a clone's skin, clothes included, at a level of the tape's rules."""
     rules = load_tape_rules()
     height = float(clone.vertices_m[list(rules.level_vertices[level]), 1].mean())
     points = slice_points(clone.vertices_m, rules.torso, np.array([0.0, height, 0.0]), UP)[:, [0, 2]]
-    fine = wider(hull_ring(points), OUTSIDE_M)
+    fine = offset_ring(convex_ring(points), OUTSIDE_M)
     return Ring(np.column_stack([fine[:, 0], np.full(len(fine), height), fine[:, 1]]), girth_of(fine))
 
 
-def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Array]:
-    """Return places (N, 3) of a garment's vertices round the body at rest, the held vertices, and their places.
+def place_around(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Array]:
+    """Return positions (N, 3) of a garment's vertices around the body at rest, the held vertices, and their positions.
 
     Raises
     ------
@@ -91,7 +91,7 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
     centre = ring.points_m.mean(axis=0)
     for number, segment in enumerate(pattern.segments):
         own = np.flatnonzero(cloth.segment == number)
-        line = even(segment.edges[TOP], RING)
+        line = evenly_spaced(segment.edges[TOP], RING)
         down, near = cKDTree(line).query(cloth.flat_m[own])
         way = middles[number] + shares[number] * (0.5 - near / RING)
         if is_open:
@@ -103,13 +103,13 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
         outward = (base - centre) * [1.0, 0.0, 1.0]
         outward = unit(outward)
         points[own] = base + down[:, None] * (np.sin(lean) * outward - np.cos(lean) * UP)
-    places = cloth.sewn(points)
+    places = cloth.seam_means(points)
     held = np.unique(cloth.vertex[np.concatenate([cloth.edges[f"{s.name}.{TOP}"] for s in pattern.segments])])
     return places, held, places[held]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Band:
+class HeldBand:
     """The held vertices, carried by the skin under them.
 
     Attributes
@@ -125,23 +125,23 @@ class Band:
     weights: Array
 
     def posed(self, root_m: Array, rotations: Array) -> Array:
-        """Return the band's positions (P, 3) in a frame."""
+        """Return the held positions (P, 3) in a frame."""
         parents = load_generic().joint_parents.astype(np.int32)
         transforms = joint_transforms(self.clone.joints_m, parents, rotations)
         return linear_blend_skinning(self.places_m, transforms, self.joints, self.weights) + root_m
 
 
-def band(clone: Clone, places_m: Array, rows: Ints) -> Band:
-    """Return held places carried by the nearest skin vertex of ``rows``."""
+def make_band(clone: Clone, places_m: Array, rows: Ints) -> HeldBand:
+    """Return held positions carried by the nearest skin vertex of ``rows``."""
     generic = load_generic()
     _, near = cKDTree(clone.vertices_m[rows]).query(places_m)
     skin_rows = rows[near]
     joints, weights = generic.skin_joints[skin_rows].astype(np.int32), generic.skin_weights[skin_rows]
-    return Band(clone, places_m, joints, weights.astype(np.float64))
+    return HeldBand(clone, places_m, joints, weights.astype(np.float64))
 
 
-def outside(places_m: Array, skin_m: Array, held: Ints) -> Array:
-    """Return places pushed straight outward until they clear the hull of the body's slices at their heights."""
+def push_outside(places_m: Array, skin_m: Array, held: Ints) -> Array:
+    """Return positions pushed straight outward until they clear the hull of the body's sections at their heights."""
     out = places_m.copy()
     free = np.ones(len(places_m), dtype=bool)
     free[held] = False

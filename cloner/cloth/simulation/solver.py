@@ -21,10 +21,10 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.cloth.drafting.cut import Cloth, hinges_of
-from cloner.cloth.simulation.core.host import Core
+from cloner.cloth.simulation.core.host import ClothEngine
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.forces import Slips
-from cloner.cloth.simulation.threads import Spacing, Threads, in_groups, spacing_of
+from cloner.cloth.simulation.threads import DistanceConstraints, Spacing, colour_constraints, make_spacing
 from cloner.cloth.simulation.wearer import Skin
 from cloner.records.arrays import Array
 
@@ -44,7 +44,7 @@ KEPT: Final = 0.25
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sheet:
-    """A garment ready to move.
+    """A garment ready for simulation.
 
     Attributes
     ----------
@@ -64,8 +64,8 @@ class Sheet:
     faces: Ints
     mass_kg: Array
     area_m2: Array
-    stretch: Threads
-    bend: Threads
+    stretch: DistanceConstraints
+    bend: DistanceConstraints
     edges: Ints
     rest_m: Array
     held: Ints
@@ -77,15 +77,15 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class State:
-    """Places (N, 3) metres and speeds (N, 3) m/s; of elements also where their friction holds."""
+    """Positions (N, 3) metres and velocities (N, 3) m/s; for elements also the anchors of friction."""
 
     places_m: Array
     speeds_m_s: Array
     slips: Slips | None = None
 
 
-def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
-    """Return a garment of a fabric ready to move."""
+def make_sheet(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
+    """Return a garment of a fabric, ready for simulation."""
     faces, flat = cloth.faces, cloth.flat_m
     corner = flat[cloth.triangles]
     one, other = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
@@ -104,18 +104,18 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
         faces,
         np.asarray(mass, np.float64),
         np.asarray(area, np.float64),
-        in_groups(ends, rest, 1.0 / stiff, cloth.count),
-        in_groups(bends, flat_m, 1.0 / bending, cloth.count),
+        colour_constraints(ends, rest, 1.0 / stiff, cloth.count),
+        colour_constraints(bends, flat_m, 1.0 / bending, cloth.count),
         ends,
         rest,
         held,
-        *_leashes(cloth, held),
-        spacing_of(ends, rest, bends, flat_m, cloth.count),
+        *_tethers(cloth, held),
+        make_spacing(ends, rest, bends, flat_m, cloth.count),
         fabric,
     )
 
 
-def _leashes(cloth: Cloth, held: Ints) -> tuple[Ints, Array]:
+def _tethers(cloth: Cloth, held: Ints) -> tuple[Ints, Array]:
     """Return every vertex's nearest held one in the plane of its own piece, and the distance."""
     anchor, leash = np.zeros(cloth.count, dtype=np.int64), np.full(cloth.count, np.inf)
     is_held = np.zeros(cloth.count, dtype=bool)
@@ -145,8 +145,8 @@ def _edges(cloth: Cloth) -> tuple[Ints, Array, Array]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Lead:
-    """Where cloth is led, in place and speed.
+class LoopTarget:
+    """Position and velocity that cloth is pulled to, to close a loop.
 
     Attributes
     ----------
@@ -161,10 +161,10 @@ class Lead:
     share: float
 
 
-def core_of(sheet: Sheet, skin_points: int) -> Core:
+def make_engine(sheet: Sheet, skin_points: int) -> ClothEngine:
     """Return an engine for a garment that collides with some number of skin points."""
     stretch, bend, count = sheet.stretch, sheet.bend, len(sheet.mass_kg)
-    core = Core(
+    core = ClothEngine(
         vertices=count, triangles=len(sheet.faces), stretches=len(stretch.ends), bends=len(bend.ends),
         helds=len(sheet.held), neighbours=len(sheet.spacing.neighbours), skins=skin_points,
     )  # fmt: skip
@@ -184,7 +184,7 @@ def core_of(sheet: Sheet, skin_points: int) -> Core:
 
 
 def step(
-    core: Core,
+    core: ClothEngine,
     fabric: Fabric,
     state: State,
     skin_now: Skin,
@@ -192,7 +192,7 @@ def step(
     seconds: float,
     substeps: int,
     wind_m_s: Array,
-    lead: Lead | None = None,
+    lead: LoopTarget | None = None,
     fastest_m_s: float = FASTEST_M_S,
 ) -> State:
     """Return the state a frame later.
@@ -200,7 +200,7 @@ def step(
     Parameters
     ----------
     core : Core
-        The garment's (`core_of`).
+        The garment's (`make_engine`).
     fabric : Fabric
     state : State
     skin_now : Skin

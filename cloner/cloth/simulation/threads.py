@@ -24,8 +24,8 @@ APART: Final = 0.9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Threads:
-    """Threads in the order in which they are drawn.
+class DistanceConstraints:
+    """Distance constraints in the order in which they are solved.
 
     Attributes
     ----------
@@ -39,8 +39,8 @@ class Threads:
     compliance: Array
 
 
-def in_groups(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads:
-    """Return threads group after group, no two of a group sharing a vertex: what is drawn spreads alike everywhere.
+def colour_constraints(ends: Ints, rest_m: Array, compliance: Array, count: int) -> DistanceConstraints:
+    """Return constraints in groups that share no vertex (graph colouring), so that corrections spread evenly.
 
     In the order of their vertices a skirt's threads stay 6.1 % too long instead of 3.8 (99th percentile, 40 small
     steps); back and forth by turns they tremble, 20 %.
@@ -54,12 +54,12 @@ def in_groups(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threa
         used[one] |= 1 << free
         used[other] |= 1 << free
     order = np.argsort(group, kind="stable")
-    return Threads(ends[order], rest_m[order], compliance[order])
+    return DistanceConstraints(ends[order], rest_m[order], compliance[order])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Spacing:
-    """How far a cloth's vertices stay apart.
+    """Minimum distances between a cloth's vertices.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class Spacing:
     neighbours: Ints
 
 
-def spacing_of(edges: Ints, rest_m: Array, across: Ints, across_m: Array, count: int) -> Spacing:
+def make_spacing(edges: Ints, rest_m: Array, across: Ints, across_m: Array, count: int) -> Spacing:
     """Return the spacing of a cloth with edges (E, 2) of rest lengths (E,); ``across`` (I, 2) lie over an edge."""
     ends = edges.T.ravel()
     each = np.bincount(ends, np.tile(rest_m, 2), count) / np.maximum(np.bincount(ends, minlength=count), 1)

@@ -26,7 +26,7 @@ ARMS: Final = ("left_upper_arm", "right_upper_arm", "left_forearm", "right_forea
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Wearer:
-    """A clone's skin that cloth can meet.
+    """A clone's skin that cloth can collide with.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Wearer:
         )
 
 
-def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
+def make_wearer(clone: Clone, *, whole: bool = False) -> Wearer:
     """Return a clone's collision surface; ``whole`` with arms and neck."""
     generic = load_generic()
     names = (*MET, *ARMS) if whole else MET
@@ -65,8 +65,8 @@ def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
     return Wearer(clone, rows.astype(np.int64), np.searchsorted(rows, triangles).astype(np.int64))
 
 
-def frames(motion: Motion) -> tuple[Array, Array]:
-    """Return the root (F, 3) and rotations (F, 94, 3) of one cycle at `FRAMES_PER_S`; the frame after the last is the first."""  # noqa: E501
+def cycle_frames(motion: Motion) -> tuple[Array, Array]:
+    """Return root (F, 3) and rotations (F, 94, 3) of one cycle at `FRAMES_PER_S`, without the repeated first frame."""
     span = float(motion.times_s[-1])
     count = max(2, round(span * FRAMES_PER_S))
     at = np.arange(count) / count * span
@@ -80,7 +80,7 @@ def frames(motion: Motion) -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Skin:
-    """The skin at two moments, the second after the first.
+    """The skin at two times.
 
     Attributes
     ----------
@@ -94,6 +94,6 @@ class Skin:
     normals: Array
 
 
-def skin_between(body: Wearer, early_m: Array, late_m: Array) -> Skin:
+def skin_interval(body: Wearer, early_m: Array, late_m: Array) -> Skin:
     """Return the skin between two frames."""
     return Skin(early_m, late_m, vertex_normals(late_m, body.triangles.astype(np.int32)))

@@ -1,4 +1,4 @@
-"""Placement of pieces wrapped around trunk, arms and legs, close without contact, seams half-way.
+"""Initial placement of pieces wrapped around trunk, arms and legs: close without contact, seams half-way.
 
 Where the cloth round a part is wider than the part, its ring is moved outward until it is as long as the cloth; above
 the height at which the pieces close round the body (armpits, the sleeve's cap) they keep the width they had there.
@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloth.drafting.cut import Cloth
-from cloner.cloth.drafting.pattern import Pattern, Segment, even
-from cloner.cloth.drafting.sections import STEP_M, Sections, girth_of, wider
-from cloner.cloth.simulation.core.host import pushed_out
+from cloner.cloth.drafting.pattern import Pattern, Segment, evenly_spaced
+from cloner.cloth.drafting.sections import STEP_M, Sections, girth_of, offset_ring
+from cloner.cloth.simulation.core.host import push_out_of_skin
 from cloner.cloth.simulation.placing import OUTSIDE_M
-from cloner.cloth.simulation.wearer import skin_between, wearer
+from cloner.cloth.simulation.wearer import make_wearer, skin_interval
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
@@ -32,20 +32,22 @@ ARMHOLE: Final = 5
 PUSHES, DEEP_M = 12, 0.12
 
 
-def wrapped(pattern: Pattern, cloth: Cloth, body: Sections) -> tuple[Array, Ints, Array]:
-    """Return places (N, 3) of a garment's vertices round the body at rest, the held vertices, and their places."""
+def wrap_around(pattern: Pattern, cloth: Cloth, body: Sections) -> tuple[Array, Ints, Array]:
+    """Return positions (N, 3) of a garment's vertices around the body at rest, the held vertices, and
+    their positions.
+    """
     points = np.zeros((len(cloth.flat_m), 3))
     widths = {part: _width(pattern, part, body) for part in {_part(segment) for segment in pattern.segments}}
     for number, segment in enumerate(pattern.segments):
         own = cloth.segment == number
-        points[own] = _laid(segment, cloth.flat_m[own], body, widths)
-    places = cloth.sewn(points)
-    skin = wearer(body.clone, whole=True)
+        points[own] = _wrapped_places(segment, cloth.flat_m[own], body, widths)
+    places = cloth.seam_means(points)
+    skin = make_wearer(body.clone, whole=True)
     skin_m = body.clone.vertices_m[skin.rows]
-    now = skin_between(skin, skin_m, skin_m)
+    now = skin_interval(skin, skin_m, skin_m)
     left, right = (_of_leg(side, pattern, cloth) for side in ("left", "right"))
     for _ in range(PUSHES):
-        places = pushed_out(places, now, OUTSIDE_M, DEEP_M)
+        places = push_out_of_skin(places, now, OUTSIDE_M, DEEP_M)
         places[left & ~right, 0] = np.maximum(places[left & ~right, 0], OUTSIDE_M)  # legs' pieces do not cross
         places[right & ~left, 0] = np.minimum(places[right & ~left, 0], -OUTSIDE_M)
     held = np.unique(cloth.vertex[np.concatenate([np.zeros(0, np.int64), *(cloth.edges[e] for e in pattern.held)])])
@@ -53,7 +55,7 @@ def wrapped(pattern: Pattern, cloth: Cloth, body: Sections) -> tuple[Array, Ints
 
 
 def _of_leg(side: str, pattern: Pattern, cloth: Cloth) -> NDArray[np.bool_]:
-    """Return (N,) whether vertices are of a leg's pieces."""
+    """Return (N,) whether vertices belong to a leg's pieces."""
     own = np.zeros(cloth.count, dtype=bool)
     for number, segment in enumerate(pattern.segments):
         if segment.around.startswith(f"{side}_leg"):
@@ -62,13 +64,13 @@ def _of_leg(side: str, pattern: Pattern, cloth: Cloth) -> NDArray[np.bool_]:
 
 
 def _part(segment: Segment) -> str:
-    """Return the part whose sections a piece goes round: legs' pieces go round the trunk above the crotch."""
+    """Return the part whose sections a piece surrounds: legs' pieces surround the trunk above the crotch."""
     return segment.around if segment.around.endswith("_arm") else "trunk"
 
 
 def _spans(segment: Segment, heights: Array) -> tuple[Array, Array]:
-    """Return the least and largest x of a piece at heights; NaN where it is not."""
-    outline = np.concatenate([even(edge, 24)[:-1] for edge in segment.edges.values()])
+    """Return the least and largest x of a piece at heights; NaN outside the piece."""
+    outline = np.concatenate([evenly_spaced(edge, 24)[:-1] for edge in segment.edges.values()])
     start, end = outline, np.roll(outline, -1, axis=0)
     low, high = np.full(len(heights), np.inf), np.full(len(heights), -np.inf)
     for one, other in zip(start, end, strict=True):
@@ -103,7 +105,9 @@ def _width(pattern: Pattern, part: str, body: Sections) -> Callable[[Array], Arr
     return lambda y: np.interp(y, heights, np.maximum(total, 1e-3))
 
 
-def _laid(segment: Segment, flat: Array, body: Sections, widths: dict[str, Callable[[Array], Array]]) -> Array:
+def _wrapped_places(
+    segment: Segment, flat: Array, body: Sections, widths: dict[str, Callable[[Array], Array]]
+) -> Array:
     """Return the positions (N, 3) of a piece's points."""
     part, around = _part(segment), segment.around
     width = widths[part](flat[:, 1])
@@ -131,14 +135,14 @@ def _laid(segment: Segment, flat: Array, body: Sections, widths: dict[str, Calla
 
 
 def _on(body: Sections, part: str, at_m: Array, share: Array, width: Array) -> Array:
-    """Return (N, 3) places on the rings of a part, as wide as the cloth there."""
+    """Return (N, 3) points on the rings of a part, scaled to the cloth's width there."""
     frame, out = body.frames[part], np.zeros((len(at_m), 3))
     steps = np.round(at_m / STEP_M).astype(np.int64)
     for step in np.unique(steps):
         rows = np.flatnonzero(steps == step)
         ring = body.ring(part, step * STEP_M)
         loose = max(OUTSIDE_M, (float(width[rows].mean()) - girth_of(ring)) / (2.0 * np.pi))
-        ring = wider(ring, loose)
+        ring = offset_ring(ring, loose)
         way = np.mod(share[rows], 1.0) * (len(ring) - 1)
         left, ahead = (np.interp(way, np.arange(len(ring)), ring[:, k]) for k in (0, 1))
         out[rows] = left[:, None] * frame.left + ahead[:, None] * frame.ahead

@@ -12,9 +12,9 @@ from scipy.spatial.transform import Rotation
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import BodySpecification
-from cloner.cloth.clothed import clothed, write_clothed
-from cloner.cloth.drafting.blocks import BLOCKS, draft
-from cloner.cloth.dressing import Dressed, dressed
+from cloner.cloth.clothed import with_garment_shell, write_garments_as_result
+from cloner.cloth.drafting.blocks import BLOCKS, draft_block
+from cloner.cloth.dressing import DressedClone, dress_clone
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.written import dress_file
@@ -37,18 +37,18 @@ def eva() -> Clone:
 
 
 @pytest.fixture(scope="module")
-def walking(eva: Clone) -> Dressed:
+def walking(eva: Clone) -> DressedClone:
     clone = centre_joints(eva)
-    pattern = draft(BLOCKS["skirt"], body_ring(clone, "natural_waist").girth_m, 0.5)
-    return dressed(clone, pattern, "natural_waist", FABRICS["silk"], own_motions(clone)[0], cycles=4, step_m=0.04)
+    pattern = draft_block(BLOCKS["skirt"], body_ring(clone, "natural_waist").girth_m, 0.5)
+    return dress_clone(clone, pattern, "natural_waist", FABRICS["silk"], own_motions(clone)[0], cycles=4, step_m=0.04)
 
 
 @pytest.fixture(scope="module")
-def result(eva: Clone, walking: Dressed, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def result(eva: Clone, walking: DressedClone, tmp_path_factory: pytest.TempPathFactory) -> Path:
     home = tmp_path_factory.mktemp("results")
     (home / "eva").mkdir()
     save_clone(eva, home / "eva" / "clone.npz")
-    write_clothed(walking, eva, home / "eva", home / "eva-skirt", ["skirt"], ("glb",), no_progress)
+    write_garments_as_result(walking, eva, home / "eva", home / "eva-skirt", ["skirt"], ("glb",), no_progress)
     return home / "eva-skirt"
 
 
@@ -59,7 +59,7 @@ def cast(result: Path) -> tuple[CrowdClone, Clone, BodyLevels]:
     return make_crowd_clone("eva", centre_joints(clone), body, poses=16, flow=flow), clone, body
 
 
-def test_the_result_wears_its_garment_and_keeps_how_it_flows(result: Path, walking: Dressed) -> None:
+def test_the_result_wears_its_garment_and_keeps_how_it_flows(result: Path, walking: DressedClone) -> None:
     clone = load_clone(result / "clone.npz")
     (shell,) = [one for one in clone.shells if one.kind == "cloth"]
     flow = load_flow(result, clone)
@@ -90,8 +90,8 @@ def test_nobody_is_replaced_by_themselves_dressed(result: Path) -> None:
             dress_file(source, result, garment="skirt", fabric="silk")
 
 
-def test_photographed_cloth_gives_way_to_the_garment(eva: Clone, walking: Dressed, result: Path) -> None:
-    again, _ = clothed(walking, load_clone(result / "clone.npz"))
+def test_photographed_cloth_gives_way_to_the_garment(eva: Clone, walking: DressedClone, result: Path) -> None:
+    again, _ = with_garment_shell(walking, load_clone(result / "clone.npz"))
     assert [one.kind for one in again.shells].count("cloth") == 1
 
 
@@ -110,7 +110,7 @@ def test_two_rigid_halves_are_found_exactly() -> None:
 
 
 def test_cloth_flows_in_a_crowd_as_it_was_simulated(
-    cast: tuple[CrowdClone, Clone, BodyLevels], walking: Dressed
+    cast: tuple[CrowdClone, Clone, BodyLevels], walking: DressedClone
 ) -> None:
     made, clone, _ = cast
     walk, loose = made.clips[0], made.loose

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.cloth.drafting.cut import cut
-from cloner.cloth.drafting.drawn import garment_drawn, read_svg
+from cloner.cloth.drafting.cut import triangulate
+from cloner.cloth.drafting.drawn import garment_from_svg, read_svg
 from cloner.cloth.drafting.pattern import Pattern, length_m
 from cloner.errors import ClonerError
 
@@ -25,7 +25,7 @@ def drawing(folder: Path, *paths: str, seams: str = SEAMS, head: str = HEAD) -> 
 
 
 def read_drawing(path: Path) -> Pattern:
-    return garment_drawn(read_svg(path), path.stem, path.name)
+    return garment_from_svg(read_svg(path), path.stem, path.name)
 
 
 def test_edges_have_the_drawn_lengths_in_metres(tmp_path: Path) -> None:
@@ -37,7 +37,7 @@ def test_edges_have_the_drawn_lengths_in_metres(tmp_path: Path) -> None:
     outline = np.concatenate([edge[:1] for edge in pattern.segments[0].edges.values()])
     following = np.roll(outline, -1, axis=0)
     assert (outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]).sum() / 2.0 == pytest.approx(0.24)
-    assert cut(pattern, 0.05).count > 100
+    assert triangulate(pattern, 0.05).count > 100
 
 
 def test_pixels_are_a_ninety_sixth_of_an_inch(tmp_path: Path) -> None:

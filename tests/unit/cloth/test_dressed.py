@@ -15,8 +15,8 @@ from scipy.spatial import cKDTree
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import BodySpecification
 from cloner.cloth.caches import obj, pc2, usd, vat
-from cloner.cloth.drafting.blocks import BLOCKS, draft
-from cloner.cloth.dressing import Dressed, dressed
+from cloner.cloth.drafting.blocks import BLOCKS, draft_block
+from cloner.cloth.dressing import DressedClone, dress_clone
 from cloner.cloth.glb import MASKED, glb
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.placing import body_ring
@@ -37,10 +37,10 @@ def eva() -> Clone:
 
 
 @pytest.fixture(scope="module")
-def walking(eva: Clone) -> Dressed:
+def walking(eva: Clone) -> DressedClone:
     ring = body_ring(eva, "natural_waist")
-    pattern = draft(BLOCKS["skirt"], ring.girth_m, 0.5)
-    return dressed(eva, pattern, "natural_waist", FABRICS["cotton"], own_motions(eva)[0], cycles=4, step_m=0.04)
+    pattern = draft_block(BLOCKS["skirt"], ring.girth_m, 0.5)
+    return dress_clone(eva, pattern, "natural_waist", FABRICS["cotton"], own_motions(eva)[0], cycles=4, step_m=0.04)
 
 
 def test_the_ring_is_the_waist_s_tape_and_what_the_cloth_stands_off(eva: Clone) -> None:
@@ -51,7 +51,7 @@ def test_the_ring_is_the_waist_s_tape_and_what_the_cloth_stands_off(eva: Clone) 
     assert front[1, 0] > 0.1  # on from the front to the person's left
 
 
-def test_the_loop_is_closed_and_clear_of_the_skin(walking: Dressed) -> None:
+def test_the_loop_is_closed_and_clear_of_the_skin(walking: DressedClone) -> None:
     frames, worn = walking.loop.frames_m, walking.worn
     assert len(frames) == len(worn.rotations)
     assert np.isfinite(frames).all()
@@ -71,7 +71,7 @@ def test_the_loop_is_closed_and_clear_of_the_skin(walking: Dressed) -> None:
     assert max(longer) < 0.25  # spread over folds without being drawn together again, threads were half too long
 
 
-def test_the_skirt_hangs_where_a_skirt_hangs(walking: Dressed) -> None:
+def test_the_skirt_hangs_where_a_skirt_hangs(walking: DressedClone) -> None:
     frames = walking.loop.frames_m
     generic, clone = load_generic(), walking.clone
     waist = float(clone.vertices_m[generic.feature("waist_front"), 1])
@@ -79,7 +79,7 @@ def test_the_skirt_hangs_where_a_skirt_hangs(walking: Dressed) -> None:
     assert 0.3 < frames[..., 1].max() - frames[..., 1].min() < 0.62
 
 
-def test_every_frame_is_a_target_that_the_walk_turns_on(walking: Dressed) -> None:
+def test_every_frame_is_a_target_that_the_walk_turns_on(walking: DressedClone) -> None:
     gltf = pygltflib.GLTF2.load_from_bytes(glb(walking))
     node = next(node for node in gltf.nodes if node.name == "Garment")
     primitive = gltf.meshes[node.mesh].primitives[0]
@@ -106,7 +106,7 @@ def test_every_frame_is_a_target_that_the_walk_turns_on(walking: Dressed) -> Non
     assert values(sampler.input)[-1, 0] == pytest.approx(walking.motion.times_s[-1])
 
 
-def test_skin_under_the_skirt_is_masked_and_none_is_lost(walking: Dressed) -> None:
+def test_skin_under_the_skirt_is_masked_and_none_is_lost(walking: DressedClone) -> None:
     gltf = pygltflib.GLTF2.load_from_bytes(glb(walking))
     blob = gltf.binary_blob()
     body = next(mesh for mesh in gltf.meshes if mesh.name == "Body")
@@ -129,7 +129,7 @@ def test_skin_under_the_skirt_is_masked_and_none_is_lost(walking: Dressed) -> No
     assert names <= {"torso", "pelvis", "left_thigh", "right_thigh"}  # a skirt of 50 cm ends above the calves
 
 
-def test_caches_hold_every_frame(walking: Dressed) -> None:
+def test_caches_hold_every_frame(walking: DressedClone) -> None:
     data, frames = pc2(walking), walking.loop.frames_m
     assert data[:12] == b"POINTCACHE2\0"
     version, count, first, rate, samples = struct.unpack("<iiffi", data[12:32])
@@ -145,7 +145,7 @@ def test_caches_hold_every_frame(walking: Dressed) -> None:
     assert sum(line.startswith("f ") for line in lines) == len(walking.worn.cloth.faces)
 
 
-def test_a_vertex_animation_texture_decodes_to_the_loop(walking: Dressed) -> None:
+def test_a_vertex_animation_texture_decodes_to_the_loop(walking: DressedClone) -> None:
     """Read as the layout's documentation says, by nothing of ours: at most 1 mm off."""
     files, frames = vat(walking), walking.loop.frames_m[:, walking.worn.cloth.vertex]
     image = cv2.imdecode(np.frombuffer(files[".png"], np.uint8), cv2.IMREAD_UNCHANGED)[..., ::-1] / 65535.0
@@ -172,7 +172,7 @@ def test_a_garment_of_too_many_points_is_refused_before_it_is_simulated(eva: Clo
     assert [path.name for path in tmp_path.iterdir()] == ["clone.npz"]
 
 
-def test_usd_moves_the_points(walking: Dressed, tmp_path: Path) -> None:
+def test_usd_moves_the_points(walking: DressedClone, tmp_path: Path) -> None:
     pxr = pytest.importorskip("pxr.Usd"), pytest.importorskip("pxr.UsdGeom")
     path = tmp_path / "skirt.usdc"
     path.write_bytes(usd(walking))

@@ -11,11 +11,11 @@ from scipy.integrate import solve_bvp
 
 from cloner.cloth.drafting.cut import Cloth
 from cloner.cloth.simulation import implicit
-from cloner.cloth.simulation.elements import elements_of, energy_j, strained, stresses
+from cloner.cloth.simulation.elements import compute_strain, energy_j, make_elements, stresses
 from cloner.cloth.simulation.fabrics import BENDING_N_M, FABRICS, FULL_N_M, LOOP_N, Fabric, read_fabric
-from cloner.cloth.simulation.forces import bending, unslipped
-from cloner.cloth.simulation.implicit import system_of
-from cloner.cloth.simulation.solver import State, core_of, sheet_of
+from cloner.cloth.simulation.forces import bending_forces, no_slips
+from cloner.cloth.simulation.implicit import make_system
+from cloner.cloth.simulation.solver import State, make_engine, make_sheet
 from cloner.errors import ClonerError
 from unit.cloth.test_solver import CALM, far_floor, strip, upright
 
@@ -28,9 +28,9 @@ WEIGHT_N_M2 = IDEAL.weight_kg_m2 * 9.81
 
 
 def run(cloth: Cloth, fabric: Fabric, held: np.ndarray, places: np.ndarray, frames: int) -> list[State]:
-    sheet, system = sheet_of(cloth, fabric, held), system_of(cloth, fabric)
+    sheet, system = make_sheet(cloth, fabric, held), make_system(cloth, fabric)
     states, fixed, floor = [State(places, np.zeros_like(places))], (places[held], places[held]), far_floor(-5.0)
-    core = core_of(sheet, len(floor.late_m))
+    core = make_engine(sheet, len(floor.late_m))
     for _ in range(frames):
         states.append(implicit.step(sheet, core, system, states[-1], floor, fixed, 1.0 / 30.0, CALM))
     return states
@@ -81,7 +81,7 @@ def test_a_cantilever_sinks_as_the_elastica_does() -> None:
 def test_a_cylinder_holds_the_energy_of_its_curvature(along: int) -> None:
     """B k² / 2 an area, B of the direction in which it is bent; weft (x) is twice as stiff as warp here."""
     cloth = strip(0.2, 0.3, 0.01)
-    made = elements_of(cloth, replace(IDEAL, bending=(10.0, 20.0)))
+    made = make_elements(cloth, replace(IDEAL, bending=(10.0, 20.0)))
     x = np.zeros((cloth.count, 2))
     x[cloth.vertex] = cloth.flat_m
     curvature = 3.0
@@ -110,7 +110,7 @@ def test_energy_never_grows_while_nothing_moves_it() -> None:
     cloth = strip(0.2, 0.4, 0.04)
     held = np.unique(cloth.vertex[cloth.edges["a.top"]])
     states = run(cloth, replace(FABRICS["wool"], air=0.0), held, flat(cloth), 60)
-    sheet, made = sheet_of(cloth, FABRICS["wool"], held), elements_of(cloth, FABRICS["wool"])
+    sheet, made = make_sheet(cloth, FABRICS["wool"], held), make_elements(cloth, FABRICS["wool"])
 
     def energy(state: State) -> float:
         moving = 0.5 * float((sheet.mass_kg * (state.speeds_m_s**2).sum(axis=1)).sum())
@@ -125,7 +125,7 @@ def test_energy_never_grows_while_nothing_moves_it() -> None:
 def test_a_bending_loop_is_as_wide_as_kawabata_prints_it() -> None:
     """Bent along the weft to 2 / cm and back: at 1 / cm both moments differ by 2HB, and a crease stays."""
     cloth = strip(0.1, 0.2, 0.01)
-    made = elements_of(cloth, replace(IDEAL, bending_hysteresis=(0.4, 0.4)))
+    made = make_elements(cloth, replace(IDEAL, bending_hysteresis=(0.4, 0.4)))
     x = np.zeros((cloth.count, 2))
     x[cloth.vertex] = cloth.flat_m
 
@@ -136,9 +136,9 @@ def test_a_bending_loop_is_as_wide_as_kawabata_prints_it() -> None:
             + [0, 0, 1] * x[:, 1:]
         )
 
-    held, moments = unslipped(made).bent_m, []
+    held, moments = no_slips(made).bent_m, []
     for curvature in (*range(0, 201, 10), *range(190, -1, -10)):
-        bent = bending(made, rolled(curvature), np.zeros((cloth.count, 3)), held)
+        bent = bending_forces(made, rolled(curvature), np.zeros((cloth.count, 3)), held)
         held = bent.held_m
         grown = made.bends @ (rolled(curvature + 1.0) - rolled(curvature))
         moments.append(float((bent.turn_n * grown).sum()) / 0.02)
@@ -166,9 +166,9 @@ def test_the_same_start_gives_the_same_bytes() -> None:
 
 def test_strain_is_green_s() -> None:
     cloth = strip(0.1, 0.1, 0.05)
-    made = elements_of(cloth, IDEAL)
+    made = make_elements(cloth, IDEAL)
     places = upright(cloth) @ np.array([[1.1, 0.0, 0.0], [0.2, 0.9, 0.0], [0.0, 0.0, 1.0]])
-    found = strained(made, places).strain
+    found = compute_strain(made, places).strain
     assert found == pytest.approx(np.tile([(1.1**2 - 1) / 2, (0.2**2 + 0.9**2 - 1) / 2, 1.1 * 0.2], (len(found), 1)))
 
 

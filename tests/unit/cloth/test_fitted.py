@@ -11,7 +11,7 @@ from PIL import Image
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import BodySpecification
-from cloner.cloth.fitted import ALL, CLEAR_M, SKIN, base_mesh_m, fit_folder, fitted_shell, read_fitted
+from cloner.cloth.fitted import ALL, CLEAR_M, SKIN, base_mesh_m, fit_folder, fitted_shell, read_mhclo
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -62,8 +62,8 @@ def written(folder: Path, material: str = "vest.mhmat", spans: float = 1.0) -> P
 
 
 def test_a_garment_lies_on_another_body_as_its_rows_say(vest: Path, eva: Clone) -> None:
-    shell = fitted_shell(eva, read_fitted(vest))
-    used = np.unique(read_fitted(vest).rows[:, 0])
+    shell = fitted_shell(eva, read_mhclo(vest))
+    used = np.unique(read_mhclo(vest).rows[:, 0])
     away = np.linalg.norm(shell.vertices_m - eva.vertices_m[used], axis=1)
     assert np.median(away) == pytest.approx(0.01, abs=0.003)
     assert away.min() > 0.5 * CLEAR_M
@@ -78,8 +78,8 @@ def test_a_garment_lies_on_another_body_as_its_rows_say(vest: Path, eva: Clone) 
 
 def test_offsets_grow_with_the_body(tmp_path: Path, eva: Clone) -> None:
     """Spans told half as long: offsets are twice as long."""
-    shell = fitted_shell(eva, read_fitted(written(tmp_path, spans=0.5)))
-    used = np.unique(read_fitted(tmp_path / "vest.mhclo").rows[:, 0])
+    shell = fitted_shell(eva, read_mhclo(written(tmp_path, spans=0.5)))
+    used = np.unique(read_mhclo(tmp_path / "vest.mhclo").rows[:, 0])
     assert np.median(np.linalg.norm(shell.vertices_m - eva.vertices_m[used], axis=1)) == pytest.approx(0.02, abs=0.005)
 
 
@@ -120,11 +120,11 @@ def test_what_is_no_garment_is_refused_in_one_sentence(vest: Path, tmp_path: Pat
     for told, words in cases:
         vest.write_text(told)
         with pytest.raises(ClonerError, match=words):
-            read_fitted(vest)
+            read_mhclo(vest)
 
 
 def test_without_a_picture_it_is_grey(tmp_path: Path, eva: Clone) -> None:
-    garment = read_fitted(written(tmp_path, material="none.mhmat"))
+    garment = read_mhclo(written(tmp_path, material="none.mhmat"))
     assert garment.rgba[0, 0, 3] == 255
     assert len(set(garment.rgba[..., :3].reshape(-1, 3).max(axis=0).tolist())) <= 2
     assert fitted_shell(replace(eva), garment).kind == "cloth"

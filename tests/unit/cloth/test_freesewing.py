@@ -12,9 +12,9 @@ from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.freesewing import PIECES, read_svg_garment
 from cloner.cloth.drafting.pattern import Pattern, length_m
 from cloner.cloth.drafting.sections import Sections, sections
-from cloner.cloth.dressing import pattern_of
+from cloner.cloth.dressing import find_pattern
 from cloner.cloth.simulation.fabrics import FABRICS
-from cloner.cloth.simulation.moving import put_on, simulate
+from cloner.cloth.simulation.moving import place_garment, simulate
 from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
 from cloner.motion.limbs.rig import centre_joints
@@ -111,9 +111,9 @@ def test_a_sleeve_drawn_the_other_way_round_is_told_by_its_notches(body: Section
 
 def test_somebody_else_wears_it(eva: Clone, tmp_path: Path) -> None:
     path = draft(tmp_path, {"front": FRONT, "back": BACK, "sleeve": CAP})
-    pattern, ring = pattern_of(eva, str(path), None)
+    pattern, ring = find_pattern(eva, str(path), None)
     assert ring is None
-    worn = put_on(eva, pattern, None, FABRICS["cotton"], own_motions(eva)[0], 0.04)
+    worn = place_garment(eva, pattern, None, FABRICS["cotton"], own_motions(eva)[0], 0.04)
     start = worn.start.places_m
     assert np.quantile(strains(worn.sheet, start), 0.95) < 0.25
     moved = next(state.places_m for number, state in simulate(worn, 1) if number == 0)

@@ -15,9 +15,9 @@ from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import length_m
 from cloner.cloth.drafting.sections import Sections, sections
-from cloner.cloth.dressing import pattern_of
+from cloner.cloth.dressing import find_pattern
 from cloner.cloth.simulation.fabrics import FABRICS
-from cloner.cloth.simulation.moving import put_on, simulate
+from cloner.cloth.simulation.moving import place_garment, simulate
 from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.crossings import self_intersections
@@ -179,9 +179,9 @@ def test_trousers_meet_in_the_middle_and_hang_by_their_band(body: Sections, tmp_
 
 @pytest.mark.parametrize("told", [shirt, skirt, trousers])
 def test_somebody_else_wears_it(told: Any, eva: Clone, tmp_path: Path) -> None:
-    pattern, ring = pattern_of(eva, str(written(told(), tmp_path)), None)
+    pattern, ring = find_pattern(eva, str(written(told(), tmp_path)), None)
     assert ring is None
-    worn = put_on(eva, pattern, None, FABRICS["cotton"], own_motions(eva)[0], 0.04)
+    worn = place_garment(eva, pattern, None, FABRICS["cotton"], own_motions(eva)[0], 0.04)
     assert np.quantile(strains(worn.sheet, worn.start.places_m), 0.95) < 0.25
     moved = next(state.places_m for number, state in simulate(worn, 1) if number == 0)
     assert np.isfinite(moved).all()

@@ -14,7 +14,7 @@ from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import BodySpecification
 from cloner.cli import app
 from cloner.cloth import dressing
-from cloner.cloth.dressing import Dressed, dressed, pattern_of
+from cloner.cloth.dressing import DressedClone, dress_clone, find_pattern
 from cloner.cloth.glb import glb
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.layered import Under
@@ -33,17 +33,17 @@ def eva() -> Clone:
 
 
 @pytest.fixture(scope="module")
-def worn(eva: Clone) -> tuple[Dressed, Dressed, Dressed]:
+def worn(eva: Clone) -> tuple[DressedClone, DressedClone, DressedClone]:
     """A dress, a coat over it, and the same coat over nothing."""
     walk, made = own_motions(eva)[0], []
     for name, fabric, over in (("dress", "silk", False), ("coat", "wool", True), ("coat", "wool", False)):
-        pattern, ring = pattern_of(eva, name, None)
+        pattern, ring = find_pattern(eva, name, None)
         under = made[0] if over else None
-        made.append(dressed(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.045, under=under))
+        made.append(dress_clone(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.045, under=under))
     return made[0], made[1], made[2]
 
 
-def below(inner: Dressed, outer: Dressed) -> float:
+def below(inner: DressedClone, outer: DressedClone) -> float:
     """Return the share of an outer garment's points that lie inside an inner one, of those near it, in all frames."""
     shares = []
     for cloth, points in zip(inner.loop.frames_m, outer.loop.frames_m, strict=True):
@@ -54,7 +54,7 @@ def below(inner: Dressed, outer: Dressed) -> float:
     return float(np.mean(shares))
 
 
-def test_a_coat_lies_over_the_dress(worn: tuple[Dressed, Dressed, Dressed]) -> None:
+def test_a_coat_lies_over_the_dress(worn: tuple[DressedClone, DressedClone, DressedClone]) -> None:
     inner, outer, alone = worn
     assert below(inner, outer) < 0.06
     assert below(inner, alone) > 2.0 * below(inner, outer), "over nothing it would pass through the dress"
@@ -62,7 +62,7 @@ def test_a_coat_lies_over_the_dress(worn: tuple[Dressed, Dressed, Dressed]) -> N
     assert np.isfinite(outer.loop.frames_m).all()
 
 
-def test_both_are_in_the_file_and_move(worn: tuple[Dressed, Dressed, Dressed]) -> None:
+def test_both_are_in_the_file_and_move(worn: tuple[DressedClone, DressedClone, DressedClone]) -> None:
     gltf = pygltflib.GLTF2.load_from_bytes(glb(worn[1]))
     names = [mesh.name for mesh in gltf.meshes if mesh.name.startswith("Garment")]
     assert names == ["Garment", "Garment 2"]
@@ -87,7 +87,7 @@ def test_what_is_below_goes_into_its_loop_within_the_first_cycle() -> None:
 def test_the_command_takes_what_is_worn_over_it(eva: Clone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     usual = dressing.Dressing.__init__.__kwdefaults__
     monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.13})
-    monkeypatch.setattr(dressing.dressed, "__kwdefaults__", dressing.dressed.__kwdefaults__ | {"cycles": 4})
+    monkeypatch.setattr(dressing.dress_clone, "__kwdefaults__", dressing.dress_clone.__kwdefaults__ | {"cycles": 4})
     monkeypatch.setattr("cloner.cloth.written.STEP_M", 0.13)
     monkeypatch.setattr("cloner.cloth.written.FOLDER_STEP_M", 0.13)
     save_clone(eva, tmp_path / "clone.npz")

@@ -9,15 +9,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.cloth.drafting.blocks import BLOCKS, draft
-from cloner.cloth.drafting.cut import cut
-from cloner.cloth.drafting.pattern import Pattern, check_pattern, curve, even, length_m, pattern_text, read_pattern
+from cloner.cloth.drafting.blocks import BLOCKS, draft_block
+from cloner.cloth.drafting.cut import triangulate
+from cloner.cloth.drafting.pattern import (
+    Pattern,
+    bezier,
+    check_pattern,
+    evenly_spaced,
+    length_m,
+    pattern_text,
+    read_pattern,
+)
 from cloner.errors import ClonerError
 
 
 @pytest.fixture
 def skirt() -> Pattern:
-    return draft(BLOCKS["skirt"], 0.75, 0.60)
+    return draft_block(BLOCKS["skirt"], 0.75, 0.60)
 
 
 def test_a_half_circle_skirt_has_a_half_circle_s_lengths(skirt: Pattern) -> None:
@@ -30,13 +38,13 @@ def test_a_half_circle_skirt_has_a_half_circle_s_lengths(skirt: Pattern) -> None
 
 def test_points_lie_evenly_along_a_curve() -> None:
     bent = np.array([[0.0, 0.0], [0.0, 1.0], [0.1, 1.0], [1.0, 1.0]])
-    apart = np.linalg.norm(np.diff(even(bent, 40), axis=0), axis=1)
+    apart = np.linalg.norm(np.diff(evenly_spaced(bent, 40), axis=0), axis=1)
     assert np.ptp(apart) < 0.01 * apart.mean()
-    assert curve(bent, np.array([0.0, 1.0])) == pytest.approx(bent[[0, 3]])
+    assert bezier(bent, np.array([0.0, 1.0])) == pytest.approx(bent[[0, 3]])
 
 
 def test_cut_pieces_have_the_area_drawn_and_sewn_seams_are_closed(skirt: Pattern) -> None:
-    cloth = cut(skirt, 0.03)
+    cloth = triangulate(skirt, 0.03)
     corner = cloth.flat_m[cloth.triangles]
     one, other = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
     area = (one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]) / 2.0

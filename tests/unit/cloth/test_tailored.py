@@ -13,12 +13,12 @@ from scipy.sparse.csgraph import connected_components
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import BodySpecification
 from cloner.cloth.drafting.blocks import BLOCKS, line
-from cloner.cloth.drafting.cut import Cloth, cut
+from cloner.cloth.drafting.cut import Cloth, triangulate
 from cloner.cloth.drafting.pattern import Segment, check_pattern, length_m, pattern_text, read_pattern
-from cloner.cloth.drafting.sections import girth_of, hull_ring, sections, wider
-from cloner.cloth.dressing import GARMENTS, pattern_of
+from cloner.cloth.drafting.sections import convex_ring, girth_of, offset_ring, sections
+from cloner.cloth.dressing import GARMENTS, find_pattern
 from cloner.cloth.simulation.fabrics import FABRICS
-from cloner.cloth.simulation.moving import put_on, simulate
+from cloner.cloth.simulation.moving import place_garment, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
 from cloner.cloth.simulation.wrapping import _spans
@@ -63,13 +63,13 @@ def borders(cloth: Cloth) -> int:
 @pytest.mark.parametrize("garment", sorted(GARMENTS))
 def test_every_block_fits_every_body(people: dict[str, Clone], garment: str) -> None:
     for name, clone in people.items():
-        pattern, ring_level = pattern_of(clone, garment, None)
+        pattern, ring_level = find_pattern(clone, garment, None)
         check_pattern(pattern, name)
         for one, other in pattern.seams:
             long, short = length_m(pattern.edge(one)), length_m(pattern.edge(other))
             assert abs(long - short) < 0.02 * long + 0.002
         ring = body_ring(clone, ring_level) if ring_level else None
-        worn = put_on(clone, pattern, ring, FABRICS["cotton"], own_motions(clone)[0], 0.035)
+        worn = place_garment(clone, pattern, ring, FABRICS["cotton"], own_motions(clone)[0], 0.035)
         cloth, places = worn.cloth, worn.start.places_m
         assert borders(cloth) == OPENINGS[garment]
         assert np.isfinite(places).all()
@@ -82,41 +82,41 @@ def test_every_block_fits_every_body(people: dict[str, Clone], garment: str) -> 
 
 def test_seams_lie_together(people: dict[str, Clone]) -> None:
     clone = people["eva"]
-    pattern, _ = pattern_of(clone, "coat", None)
-    cloth = cut(pattern, 0.035)
+    pattern, _ = find_pattern(clone, "coat", None)
+    cloth = triangulate(pattern, 0.035)
     for one, other in pattern.seams:
         assert cloth.vertex[cloth.edges[one]].tolist() == cloth.vertex[cloth.edges[other][::-1]].tolist()
 
 
 def test_a_ring_is_the_hull_s_and_grows_by_its_turn() -> None:
     angle = np.linspace(0.0, 2.0 * np.pi, 400, endpoint=False)
-    ring = hull_ring(np.column_stack([0.2 * np.sin(angle), 0.2 * np.cos(angle)]))
+    ring = convex_ring(np.column_stack([0.2 * np.sin(angle), 0.2 * np.cos(angle)]))
     assert girth_of(ring) == pytest.approx(0.4 * np.pi, rel=1e-3)
     assert ring[0] == pytest.approx([0.0, 0.2], abs=2e-3)
     assert ring[len(ring) // 4] == pytest.approx([0.2, 0.0], abs=2e-3)
-    assert girth_of(wider(ring, 0.05)) == pytest.approx(0.5 * np.pi, rel=1e-3)
+    assert girth_of(offset_ring(ring, 0.05)) == pytest.approx(0.5 * np.pi, rel=1e-3)
 
 
 def test_lengths_and_ease_are_those_asked_for(people: dict[str, Clone]) -> None:
     clone = people["eva"]
     body = sections(clone)
-    dress, _ = pattern_of(clone, "dress", 70.0)
+    dress, _ = find_pattern(clone, "dress", 70.0)
     assert dress.edge("front.hem")[:, 1] == pytest.approx(-0.7)
-    trousers, _ = pattern_of(clone, "trousers", None)
+    trousers, _ = find_pattern(clone, "trousers", None)
     waist = sum(
         length_m(trousers.edge(f"{part}_{side}.waist")) for part in ("left", "right") for side in ("front", "back")
     )
     assert waist == pytest.approx(1.10 * body.girth("trunk", body.waist_m), rel=0.01)
     for garment, length in (("dress", 300.0), ("trousers", 20.0), ("tee", float("nan"))):
         with pytest.raises(ClonerError, match=garment):
-            pattern_of(clone, garment, length)
+            find_pattern(clone, garment, length)
 
 
 def test_a_tee_stays_on_by_friction_alone(people: dict[str, Clone]) -> None:
     clone = people["eva"]
-    pattern, _ = pattern_of(clone, "tee", None)
+    pattern, _ = find_pattern(clone, "tee", None)
     assert pattern.held == ()
-    worn = put_on(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.045)
+    worn = place_garment(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.045)
     states = [state.places_m for number, state in simulate(worn, 2) if number >= 0]
     shoulder = float(clone.vertices_m[load_generic().feature("acromion_L"), 1])
     for places in (states[0], states[-1]):
@@ -128,7 +128,7 @@ def test_a_tee_stays_on_by_friction_alone(people: dict[str, Clone]) -> None:
 
 
 def test_what_lies_nowhere_is_refused(people: dict[str, Clone], tmp_path: Path) -> None:
-    pattern, _ = pattern_of(people["eva"], "tee", None)
+    pattern, _ = find_pattern(people["eva"], "tee", None)
     tail = replace(pattern, segments=(replace(pattern.segments[0], around="tail"), *pattern.segments[1:]))
     with pytest.raises(ClonerError, match="lies round 'tail'"):
         check_pattern(tail, "x")
@@ -140,7 +140,7 @@ def test_what_lies_nowhere_is_refused(people: dict[str, Clone], tmp_path: Path) 
 
 
 def test_a_tailored_garment_is_read_as_it_was_written(people: dict[str, Clone], tmp_path: Path) -> None:
-    pattern, _ = pattern_of(people["eva"], "coat", None)
+    pattern, _ = find_pattern(people["eva"], "coat", None)
     path = tmp_path / "coat.json"
     path.write_text(pattern_text(pattern))
     again = read_pattern(path)
@@ -149,13 +149,13 @@ def test_a_tailored_garment_is_read_as_it_was_written(people: dict[str, Clone], 
     assert [np.round(segment.lies, 6).tolist() for segment in again.segments] == [
         np.round(segment.lies, 6).tolist() for segment in pattern.segments
     ]
-    assert pattern_of(people["eva"], str(path), None)[1] is None
+    assert find_pattern(people["eva"], str(path), None)[1] is None
 
 
 def test_a_front_is_as_long_as_the_way_over_the_bust(people: dict[str, Clone]) -> None:
     """Its shoulder is drawn higher than it lies, a back's less; no thread is drawn out where it is put on."""
     clone = people["eva"]
-    pattern, _ = pattern_of(clone, "tee", None)
+    pattern, _ = find_pattern(clone, "tee", None)
     longer = {
         segment.name: segment.lies[-1][0] - segment.lies[-1][1]
         for segment in pattern.segments
@@ -163,15 +163,15 @@ def test_a_front_is_as_long_as_the_way_over_the_bust(people: dict[str, Clone]) -
     }
     assert 0.015 < longer["front"] < 0.12
     assert longer["back"] < longer["front"]
-    worn = put_on(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.035)
+    worn = place_garment(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.035)
     assert np.quantile(strains(worn.sheet, worn.start.places_m), 0.95) < 0.09
 
 
 def test_a_cape_hangs_open_in_front(people: dict[str, Clone]) -> None:
     clone = people["eva"]
-    pattern, level = pattern_of(clone, "cape", None)
+    pattern, level = find_pattern(clone, "cape", None)
     assert level == BLOCKS["cape"].ring
-    worn = put_on(clone, pattern, body_ring(clone, "neck"), FABRICS["wool"], own_motions(clone)[0], 0.05)
+    worn = place_garment(clone, pattern, body_ring(clone, "neck"), FABRICS["wool"], own_motions(clone)[0], 0.05)
     cloth, places = worn.cloth, worn.start.places_m
     free = [cloth.vertex[cloth.edges[f"{side}.{edge}"]] for side, edge in (("left", "left"), ("right", "right"))]
     assert all(places[rows, 2].mean() > 0.1 for rows in free)  # both free edges lie before the chest
@@ -191,11 +191,11 @@ def test_rounded_outlines_have_a_width_at_their_ends() -> None:
 
 def test_pieces_without_a_place_are_refused(people: dict[str, Clone], monkeypatch: pytest.MonkeyPatch) -> None:
     clone = people["eva"]
-    pattern, _ = pattern_of(clone, "tee", None)
+    pattern, _ = find_pattern(clone, "tee", None)
 
     def nowhere(*_: object) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        return np.full((cut(pattern, 0.08).count, 3), np.nan), np.zeros(0, np.int64), np.zeros((0, 3))
+        return np.full((triangulate(pattern, 0.08).count, 3), np.nan), np.zeros(0, np.int64), np.zeros((0, 3))
 
-    monkeypatch.setattr("cloner.cloth.simulation.moving.wrapped", nowhere)
+    monkeypatch.setattr("cloner.cloth.simulation.moving.wrap_around", nowhere)
     with pytest.raises(ClonerError, match="laid"):
-        put_on(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.08)
+        place_garment(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.08)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.cloth.simulation.core.host import Core
+from cloner.cloth.simulation.core.host import ClothEngine
 from cloner.errors import ClonerError
 from kit.scripts import script
 
@@ -34,15 +34,15 @@ def test_a_module_is_built_again_to_the_byte(core: Path) -> None:
 
 def test_arrays_outlive_their_engine() -> None:
     """Who holds an array holds the memory: it is neither freed nor moved, and no two are the same."""
-    core = Core(vertices=3, skins=2)
+    core = ClothEngine(vertices=3, skins=2)
     places = core.arrays["place"]
     places[:] = np.arange(9.0).reshape(3, 3)
     del core
-    others = [Core(vertices=3) for _ in range(3)]
+    others = [ClothEngine(vertices=3) for _ in range(3)]
     assert places.tolist() == np.arange(9.0).reshape(3, 3).tolist()
     assert all(not other.arrays["place"].any() for other in others)
 
 
 def test_more_than_fits_is_refused() -> None:
     with pytest.raises(ClonerError, match="memory"):
-        Core(vertices=2**25)
+        ClothEngine(vertices=2**25)

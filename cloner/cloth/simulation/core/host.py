@@ -32,8 +32,8 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
 )  # fmt: skip
 
 
-class Core(Instance):
-    """One instance of the module: one garment, or points alone that skin pushes.
+class ClothEngine(Instance):
+    """One instance of the module: one garment, or only points that are pushed by skin.
 
     Parameters
     ----------
@@ -56,17 +56,18 @@ class Core(Instance):
         super().__init__(MODULE, [known[name] for name in COUNTS], shapes, (), missing)
 
     def meet(self, skin: Skin) -> None:
-        """Tell where skin is at a frame's beginning and end."""
+        """Set the skin at a frame's beginning and end."""
         told = self.arrays
         told["skin_early"][:], told["skin_late"][:], told["skin_normal"][:] = skin.early_m, skin.late_m, skin.normals
 
 
-def pushed_out(places_m: Array, skin: Skin, clear_m: float, deep_m: float, times: int = 1) -> Array:
-    """Return points (N, 3) pushed out of the skin until they are so clear of the tangent planes under them, metres.
+def push_out_of_skin(places_m: Array, skin: Skin, clear_m: float, deep_m: float, times: int = 1) -> Array:
+    """Return points (N, 3) pushed out until they have a distance from the tangent planes of the skin under them,
+    metres.
 
     Points farther than ``deep_m`` from all skin, in it or not, stay.
     """
-    core = Core(vertices=len(places_m), skins=len(skin.late_m))
+    core = ClothEngine(vertices=len(places_m), skins=len(skin.late_m))
     core.meet(skin)
     core.arrays["place"][:] = places_m
     for _ in range(times):
