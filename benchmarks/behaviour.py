@@ -27,11 +27,11 @@ from behaviour_worlds import (
     whole,
 )
 
-from cloner.behaviour.ground import BODY_M, box, ground_of
-from cloner.behaviour.language import read_text
+from cloner.behaviour.ground import BODY_M, make_ground, rectangle
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import digest, run
 from cloner.behaviour.walking import STEP_S, walk
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import make_world
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "behaviour_benchmark.md"
 SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "museum.crowd"
@@ -124,7 +124,7 @@ def corners(told: Told, seeds: int) -> Iterator[Middles]:
         f"20 people round a corner of a 2 m corridor, {seeds} seeds: {sum(n for n, _ in found)} of {20 * seeds} "
         f"came, least distance of a middle to a wall {min(one for _, one in found):.3f} m (a body has {BODY_M} m).",
     )
-    ground = ground_of([box((25.0, 1.0), (50.0, 2.0))])
+    ground = make_ground([rectangle((25.0, 1.0), (50.0, 2.0))])
     one = bodies_at(ground, np.array([[1.0, 1.0]]), np.array([1.33]))
     one.way[:, 0] = 1.0
     steps = 0
@@ -161,7 +161,7 @@ def museum(told: Told, seeds: int) -> Iterator[Middles]:
     text = SAMPLE.read_text(encoding="utf-8").replace("at 60 s", "at 10 s")
     took, happy, digests = [], [], []
     for seed in range(1, seeds + 1):
-        world = world_of(read_text(text), seed)
+        world = make_world(parse_scenario(text), seed)
         names = [one.name for one in world.scenario.emotions]
         alone = world.people.home == 0
         happy.append(100.0 * float((world.people.emotion[alone] == names.index("happy")).mean()))

@@ -19,7 +19,7 @@ import numpy as np
 from behaviour import PAGE, kept
 from behaviour_worlds import Middles, bodies_at, lattice, own_speeds, through
 
-from cloner.behaviour.ground import BODY_M, box, ground_of
+from cloner.behaviour.ground import BODY_M, make_ground, rectangle
 
 ORACLE = Path(__file__).with_name("behaviour_oracle.py")
 WIDTHS = (0.75, 1.0, 1.5, 2.0, 3.0)
@@ -58,19 +58,19 @@ def told(times: list[float], room: dict[str, Any], refused: int) -> float:
 
 def ours(room: dict[str, Any]) -> tuple[list[float], float]:
     """Return when each was out, and CPU seconds."""
-    ground = ground_of([box(*one) for one in room["floor"]])
+    ground = make_ground([rectangle(*one) for one in room["floor"]])
     bodies = bodies_at(ground, room["places"], room["speeds"], places=1)
     middle, size = (np.array(one) for one in room["exit"])
     axis = 1 if room["name"] == "corner" else 0
     line = middle[axis] - size[axis] / 2.0  # who is past it, is out: steps may be longer than an exit
     begun = time.process_time()
-    times = through(ground, box(*room["goal"]), bodies, lambda p: p[:, axis] > line, Middles(), LONGEST_S)
+    times = through(ground, rectangle(*room["goal"]), bodies, lambda p: p[:, axis] > line, Middles(), LONGEST_S)
     return times, time.process_time() - begun
 
 
 def theirs(python: Path, worlds: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
     """Return what each of JuPedSim's models found in the same worlds."""
-    asked = [{"floor": [box(*one).tolist() for one in room["floor"]], "goal": box(*room["exit"]).tolist(),
+    asked = [{"floor": [rectangle(*one).tolist() for one in room["floor"]], "goal": rectangle(*room["exit"]).tolist(),
               "places": room["places"].tolist(), "speeds": room["speeds"].tolist(), "radius": BODY_M,
               "longest_s": LONGEST_S} for room in worlds]  # fmt: skip
     done = subprocess.run([python, ORACLE], input=json.dumps(asked), capture_output=True, text=True, check=True)

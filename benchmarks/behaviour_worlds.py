@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 
 from cloner.behaviour import dice
-from cloner.behaviour.ground import Ground, box, ground_of
-from cloner.behaviour.language import read_text
+from cloner.behaviour.ground import Ground, make_ground, rectangle
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import digest, step
-from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
-from cloner.behaviour.world import World, world_of
+from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, make_bodies, walk
+from cloner.behaviour.world import World, make_world
 
 FREE, SPREAD = 1.34, 0.26  # m/s, Weidmann 1993
 WARM_S = 10.0
@@ -31,7 +31,7 @@ def own_speeds(seed: int, count: int) -> np.ndarray:
 
 def bodies_at(ground: Ground, place: np.ndarray, speed: np.ndarray, **others: float) -> Bodies:
     """Return people who walk as they are told, or, with a place to go to, into its region."""
-    bodies = bodies_on(ground, place, **others)
+    bodies = make_bodies(ground, place, **others)
     bodies.wants[:], bodies.goal[:] = speed, 0 if others.get("places") else GIVEN
     return bodies
 
@@ -75,7 +75,7 @@ class Middles:
 def ring(density: float, seed: int, middles: Middles, seconds: float = 30.0) -> tuple[float, float, float]:
     """Return mean speed, share of people at 90 % of their own speed, and CPU seconds, in a corridor of 60 x 4 m."""
     length, wide = 60.0, 4.0
-    ground = ground_of([box((length / 2, wide / 2), (length + 16.0, wide))])
+    ground = make_ground([rectangle((length / 2, wide / 2), (length + 16.0, wide))])
     count = round(density * length * wide)
     speed = own_speeds(seed, count)
     bodies = bodies_at(ground, lattice(seed, count, (0.0, 0.3), (length, wide - 0.3)), speed, period_m=length)
@@ -120,15 +120,17 @@ def through(
 
 def door(wide: float, seed: int, middles: Middles) -> float:
     """Return the flow through a door, persons a metre and second, from the 30th to the 130th of 160 people."""
-    ground = ground_of([box((5.0, 5.0), (10.0, 10.0)), box((10.1, 5.0), (0.4, wide)), box((13.2, 5.0), (6.0, 10.0))])
+    ground = make_ground(
+        [rectangle((5.0, 5.0), (10.0, 10.0)), rectangle((10.1, 5.0), (0.4, wide)), rectangle((13.2, 5.0), (6.0, 10.0))]
+    )
     bodies = bodies_at(ground, lattice(seed, 160, (2.0, 0.5), (9.0, 9.5)), own_speeds(seed, 160), places=1)
-    times = through(ground, box((15.2, 5.0), (1.8, 9.0)), bodies, lambda p: p[:, 0] > 10.2, middles, 300.0)
+    times = through(ground, rectangle((15.2, 5.0), (1.8, 9.0)), bodies, lambda p: p[:, 0] > 10.2, middles, 300.0)
     return 100.0 / (times[129] - times[29]) / wide if len(times) >= 130 else 0.0
 
 
 def corner(seed: int) -> tuple[int, float]:
     """Return how many of twenty people came round a corner of a 2 m corridor, and the least distance to a wall."""
-    ground = ground_of([box((6.0, 1.0), (12.0, 2.0)), box((11.0, 6.0), (2.0, 12.0))])
+    ground = make_ground([rectangle((6.0, 1.0), (12.0, 2.0)), rectangle((11.0, 6.0), (2.0, 12.0))])
     bodies = bodies_at(ground, lattice(seed, 20, (0.3, 0.3), (6.0, 1.7)), own_speeds(seed, 20), places=1)
     least = [np.inf]
 
@@ -140,13 +142,13 @@ def corner(seed: int) -> tuple[int, float]:
             least[0] = min(least[0], float(away[bodies.present].min(initial=np.inf)))
         return place[:, 1] > 11.0
 
-    return len(through(ground, box((11.0, 11.5), (1.8, 0.8)), bodies, done, Middles(), 60.0)), least[0]
+    return len(through(ground, rectangle((11.0, 11.5), (1.8, 0.8)), bodies, done, Middles(), 60.0)), least[0]
 
 
 def streams(seed: int, middles: Middles, density: float = 1.0) -> tuple[float, float]:
     """Return the mean speed along the own way in the last ten of 60 s, and how far lanes have formed, -1..1."""
     length, wide = 30.0, 4.0
-    ground = ground_of([box((length / 2, wide / 2), (length + 16.0, wide))])
+    ground = make_ground([rectangle((length / 2, wide / 2), (length + 16.0, wide))])
     count = round(density * length * wide)
     speed = own_speeds(seed, count)
     bodies = bodies_at(ground, lattice(seed, count, (0.0, 0.3), (length, wide - 0.3)), speed, period_m=length)
@@ -170,15 +172,16 @@ def hall(count: int) -> tuple[Bodies, Ground]:
     """Return people in a hall, .25 a square metre, with a pillar each 10 m and four sides to go to."""
     length = float(np.sqrt(count / 0.25))
     posts = np.arange(5.0, length, 10.0)
-    ground = ground_of(
-        [box((length / 2, length / 2), (length, length))], [box((x, y), (1, 1)) for x in posts for y in posts]
+    ground = make_ground(
+        [rectangle((length / 2, length / 2), (length, length))],
+        [rectangle((x, y), (1, 1)) for x in posts for y in posts],
     )
     mid, far = length / 2, length - 1.5
-    goals = [box((mid, 1.5), (length - 4, 2)), box((mid, far), (length - 4, 2)),
-             box((1.5, mid), (2, length - 4)), box((far, mid), (2, length - 4))]  # fmt: skip
+    goals = [rectangle((mid, 1.5), (length - 4, 2)), rectangle((mid, far), (length - 4, 2)),
+             rectangle((1.5, mid), (2, length - 4)), rectangle((far, mid), (2, length - 4))]  # fmt: skip
     who = np.arange(count * 2)
     place = np.stack([1 + dice.uniform(1, 1, who) * (length - 2), 1 + dice.uniform(1, 2, who) * (length - 2)], axis=1)
-    bodies = bodies_at(ground, place[ground.stands(place)][:count], own_speeds(1, count), places=4)
+    bodies = bodies_at(ground, place[ground.is_free(place)][:count], own_speeds(1, count), places=4)
     for number, one in enumerate(goals):
         lead(bodies, ground, number, one)
     bodies.goal[:] = np.arange(count) % 4
@@ -210,7 +213,7 @@ def scenario(count: int) -> World:
     )
     for number, ways in enumerate(("south > north", "north > south", "west > east", "east > west")):
         text += f"crowd {count // 4} crowd{number}: visits {ways} again, adapts to space\n"
-    return world_of(read_text(text), 1)
+    return make_world(parse_scenario(text), 1)
 
 
 def whole(count: int, steps: int) -> float:

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.acting.tracks import Track, footings_on
-from cloner.acting.written import acted_by
+from cloner.acting.tracks import Track, footings_on_tracks
+from cloner.acting.written import act_out
 from cloner.behaviour.feet import Feet
 from cloner.behaviour.trajectories import Trajectories, read_trajectories
 from cloner.behaviour.walking import RATE_HZ
@@ -51,7 +51,7 @@ def ways(pack: Path) -> list[str]:
                 every = np.ones(len(times), np.int64)
                 track = Track(times, place, heading, every * IDLE, every * kind)
                 feet = Feet(touches, clips, np.array([clone]), np.ones(1), np.zeros(1), {}, {})
-                (own,) = footings_on([track], feet)
+                (own,) = footings_on_tracks([track], feet)
                 person = np.zeros((1, 5, 4), np.float32)
                 person[0, 1] = 0.0, 0.0, clone, 1.0
                 slid = soles.slides_mm(
@@ -65,7 +65,7 @@ def ways(pack: Path) -> list[str]:
 def among_others(pack: Path, walk: Trajectories) -> list[str]:
     """Return what is to say of a whole scenario."""
     begun = time.perf_counter()
-    acted, _ = acted_by(walk, pack, read_facts(pack))
+    acted, _ = act_out(walk, pack, read_facts(pack))
     spent, soles, end = time.perf_counter() - begun, Soles(pack), (len(walk.place) - 1) / RATE_HZ
     slid = np.concatenate([soles.slides_mm(acted, who, 0.0, end) for who in range(0, len(walk.groups), EVERY)])
     off = []

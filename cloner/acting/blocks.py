@@ -22,7 +22,7 @@ SLIM_M: Final = 1.2
 THING_SIDE_M: Final = 0.45
 
 
-def blocks_of(obstacles: Sequence[Sequence[XY]], things: Sequence[XY]) -> NDArray[np.float32]:
+def obstacle_blocks(obstacles: Sequence[Sequence[XY]], things: Sequence[XY]) -> NDArray[np.float32]:
     """Return (3 T, 6) triangles' corners and normals of all blocks, metres, in the page's frame."""
     found: list[Array] = []
     shapes = [np.array(one, np.float64) for one in obstacles]
@@ -39,7 +39,7 @@ def blocks_of(obstacles: Sequence[Sequence[XY]], things: Sequence[XY]) -> NDArra
 
 
 def _inside(corners: Array, place: XY) -> bool:
-    """Return whether a place lies in a polygon: how often a ray to the right crosses its sides."""
+    """Return whether a point lies in a polygon, by the even-odd rule."""
     x, y = place
     first, last = corners, np.roll(corners, -1, axis=0)
     crosses = (first[:, 1] > y) != (last[:, 1] > y)
@@ -74,7 +74,7 @@ def _area(corners: Array) -> float:
 
 
 def _ears(corners: Array) -> list[tuple[int, int, int]]:
-    """Return the triangles of a polygon whose corners go anticlockwise: its ears are cut off one after another."""
+    """Return the triangles of a polygon with counter-clockwise corners, by ear clipping."""
     left, found = list(range(len(corners))), []
     while len(left) > 3:
         for k in range(len(left)):

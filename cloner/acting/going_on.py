@@ -6,33 +6,33 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from cloner.acting.tracks import feet_of
-from cloner.behaviour.beginning import beginning
+from cloner.acting.tracks import make_feet
+from cloner.behaviour.beginning import initial_state
 from cloner.behaviour.core.host import MODULE
-from cloner.behaviour.language import read_text
-from cloner.behaviour.world import world_of
+from cloner.behaviour.language import parse_scenario
+from cloner.behaviour.world import make_world
 from cloner.crowd.drawing.player import ENGINE_FILE, MINDS_FILE
 from cloner.crowd.packs.files import packed
 from cloner.crowd.staged.footing import Acted
 
 
 @dataclass(frozen=True, slots=True)
-class GoingOn:
+class Continuation:
     """What a page needs to continue a scenario: files of a pack, and their entry in ``crowd.json``."""
 
     files: Mapping[str, bytes]
     facts: Mapping[str, Any]
 
 
-def welcoming(text: str, where: str = "scenario") -> str:
-    """Return a scenario in which whoever walks along in the page can be somebody: a guest, if none is expected.
+def with_guest(text: str, where: str = "scenario") -> str:
+    """Return a scenario with at least one guest, whom a viewer of the page can control.
 
     Raises
     ------
     ClonerError
         If something is wrong in it; ``where`` is what it is called then.
     """
-    groups = read_text(text, where).groups
+    groups = parse_scenario(text, where).groups
     if any(one.outside for one in groups):
         return text
     taken = {str(one.name) for one in groups}
@@ -40,7 +40,7 @@ def welcoming(text: str, where: str = "scenario") -> str:
     return f"{text.rstrip()}\ncrowd 1 {name}: from outside\n"
 
 
-def going_on(text: str, seed: int, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> GoingOn:
+def make_continuation(text: str, seed: int, acted: Acted, clips: Sequence[Mapping[str, Any]]) -> Continuation:
     """Return what a page needs to continue a scenario.
 
     Parameters
@@ -51,10 +51,10 @@ def going_on(text: str, seed: int, acted: Acted, clips: Sequence[Mapping[str, An
         Its people are the scenario's.
     clips : rows of the clones' clips in ``crowd.json``
     """
-    scenario = read_text(text)
-    world = world_of(scenario, seed, feet_of(acted.touches, acted.clips, acted.people, clips))
-    begun, tables = beginning(world)
+    scenario = parse_scenario(text)
+    world = make_world(scenario, seed, make_feet(acted.touches, acted.clips, acted.people, clips))
+    begun, tables = initial_state(world)
     data, arrays = packed(tables)
     facts = {"text": text, "seed": seed, "begun": begun, "arrays": arrays, "events": world.names.events,
              "things": world.names.things}  # fmt: skip
-    return GoingOn({MINDS_FILE: data, ENGINE_FILE: MODULE.read_bytes()}, facts)
+    return Continuation({MINDS_FILE: data, ENGINE_FILE: MODULE.read_bytes()}, facts)

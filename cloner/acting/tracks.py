@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.feet import Feet, Motions, footings_of
+from cloner.behaviour.feet import Feet, Motions, compute_footings
 from cloner.pipeline import Progress, no_progress
 from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Track:
-    """What one person is to do: (f,) times; (f, 2) x and z, metres; (f,) headings, clips while standing, walks."""
+    """One person's task: (f,) times; (f, 2) x and z, metres; (f,) headings, clips while standing, walks."""
 
     times_s: Array
     places_m: Array
@@ -33,7 +33,9 @@ class Track:
         return min(max(int(np.searchsorted(self.times_s, now + 1e-9, side="right")) - 1, 0), len(self.times_s) - 1)
 
 
-def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = no_progress) -> list[NDArray[np.float32]]:
+def footings_on_tracks(
+    tracks: Sequence[Track], feet: Feet, progress: Progress = no_progress
+) -> list[NDArray[np.float32]]:
     """Return everybody's footings, each (m, COLUMNS); who has no more track has gone."""
     frames, people = max(len(one.places_m) for one in tracks), len(tracks)
     place, facing = np.zeros((frames, people, 2)), np.zeros((frames, people, 2))
@@ -44,10 +46,10 @@ def footings_on(tracks: Sequence[Track], feet: Feet, progress: Progress = no_pro
         place[rows, who] = one.places_m * (1.0, -1.0)
         facing[rows, who] = np.stack([np.sin(one.headings), -np.cos(one.headings)], axis=1)
         present[rows, who], acts[rows, who], walks[rows, who] = True, one.acts, one.walks
-    return footings_of(Motions(place, facing, present, acts, walks), feet, progress)
+    return compute_footings(Motions(place, facing, present, acts, walks), feet, progress)
 
 
-def feet_of(
+def make_feet(
     touches: NDArray[np.float32], lengths: NDArray[np.float32], rows: NDArray[np.float32],
     clips: Sequence[Mapping[str, Any]], *, spare: int = 0,
 ) -> Feet:  # fmt: skip

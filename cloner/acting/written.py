@@ -11,14 +11,14 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.acting.blocks import blocks_of
-from cloner.acting.going_on import GoingOn, going_on, welcoming
-from cloner.acting.tracks import feet_of
-from cloner.behaviour.feet import Motions, footings_of
-from cloner.behaviour.language import read_scenario, read_text, scenario_text
+from cloner.acting.blocks import obstacle_blocks
+from cloner.acting.going_on import Continuation, make_continuation, with_guest
+from cloner.acting.tracks import make_feet
+from cloner.behaviour.feet import Motions, compute_footings
+from cloner.behaviour.language import parse_scenario, read_scenario, scenario_text
 from cloner.behaviour.trajectories import MAGIC, Trajectories, read_trajectories
 from cloner.behaviour.walking import RATE_HZ
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import make_world
 from cloner.behaviour.written import recorded
 from cloner.crowd.drawing.player import ACTED_FILE, BODY_FILE, player_page
 from cloner.crowd.packs.files import MARK, digest, pack_folder, packed
@@ -58,7 +58,7 @@ def bake_file(
     source: Path, pack: Path, out: Path, *, seconds: float = 60.0, seed: int = 0, room: RoomParts | None = None,
     progress: Progress = no_progress,
 ) -> list[str]:  # fmt: skip
-    """Write a pack whose clones act what a file of trajectories, or a scenario, tells; return what to say of it.
+    """Write a pack whose clones act out a file of trajectories, or a scenario; return a report.
 
     Parameters
     ----------
@@ -81,15 +81,15 @@ def bake_file(
     if out.resolve() == pack.resolve():
         raise ClonerError("the pack would be replaced by what is made of it", "Choose another --out folder", out.name)
     facts = read_facts(pack)
-    walk, text = _walked(source, seconds, seed, progress)
+    walk, text = _simulate(source, seconds, seed, progress)
     if len(walk.groups) > MOST_PEOPLE:
         raise ClonerError(f"{len(walk.groups)} people are too many", f"Give at most {MOST_PEOPLE}", source.name)
-    acted, lines = acted_by(walk, pack, facts, progress)
-    scenario = going_on(text, seed, acted, facts["people"][0]["clips"]) if text else None
+    acted, lines = act_out(walk, pack, facts, progress)
+    scenario = make_continuation(text, seed, acted, facts["people"][0]["clips"]) if text else None
     if room:
         acted = replace(acted, blocks=acted.blocks[:0])
     seconds = (len(walk.place) - 1) / RATE_HZ
-    views = room.views if room else views_of(walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1)))
+    views = room.views if room else overview_cameras(walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1)))
     staging = None
     if room and room.statues and "statues" in facts:
         acted, staging = room.statues(walk, acted, facts, pack, seconds)
@@ -105,10 +105,10 @@ def bake_file(
 
 def write_acted(
     pack: Path, facts: dict[str, Any], out: Path, acted: Acted, seconds: float, views: Mapping[str, Any],
-    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None, scenario: GoingOn | None = None,
+    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None, scenario: Continuation | None = None,
     spoken: SpokenParts | None = None,
 ) -> int:  # fmt: skip
-    """Write a pack whose clones act in a folder of its own; return the bytes of what they act.
+    """Write a pack whose clones act into a folder of its own; return the bytes of the actions.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ def write_acted(
     return len(data)
 
 
-def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float]]]:
+def overview_cameras(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float]]]:
     """Return the cameras of the page's three views of the people between two corners of the plan."""
     x, z, wide = (low[0] + high[0]) / 2.0, -(low[1] + high[1]) / 2.0, max(float((high - low).max()), 4.0)
     front = -float(low[1])
@@ -172,7 +172,7 @@ def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float
     return {name: [[round(float(one), 3) for one in place] for place in pair] for name, pair in views.items()}
 
 
-def things_of(source: Path) -> tuple[str, ...]:
+def thing_names(source: Path) -> tuple[str, ...]:
     """Return the names of the things in a file of trajectories or a scenario.
 
     Raises
@@ -194,21 +194,21 @@ def _holds_trajectories(source: Path) -> bool:
         raise ClonerError("there is nothing to bake", hint, source.name) from error
 
 
-def _walked(source: Path, seconds: float, seed: int, progress: Progress) -> tuple[Trajectories, str]:
+def _simulate(source: Path, seconds: float, seed: int, progress: Progress) -> tuple[Trajectories, str]:
     """Return the trajectories of a file, or those of a scenario that is run, and its text."""
     if _holds_trajectories(source):
         return read_trajectories(source), ""
     if not 0.0 < seconds <= 3600.0:
         raise ClonerError(f"{seconds:g} seconds cannot be baked", "Give more than 0 and at most an hour", "--seconds")
-    text = welcoming(scenario_text(source), source.name)
-    walk = recorded(world_of(read_text(text, source.name), seed), seconds, progress)
+    text = with_guest(scenario_text(source), source.name)
+    walk = recorded(make_world(parse_scenario(text, source.name), seed), seconds, progress)
     return walk, text
 
 
-def acted_by(
+def act_out(
     walk: Trajectories, pack: Path, facts: dict[str, Any], progress: Progress = no_progress
 ) -> tuple[Acted, list[str]]:
-    """Return trajectories as footings of a pack's clones, and what to say of them."""
+    """Return trajectories as footings of a pack's clones, and a report."""
     held = read_stock(pack, facts)
     people = facts["people"]
     names = [clip["name"] for clip in people[0]["clips"]]
@@ -223,15 +223,15 @@ def acted_by(
         raise ClonerError("the pack's frames do not fit what it says of them", hint, pack.name) from error
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     rows = _people(len(walk.groups), casting_from(facts))
-    feet = feet_of(touches, clips, rows, people[0]["clips"])
+    feet = make_feet(touches, clips, rows, people[0]["clips"])
     acts = np.array([feet.still.get(one, IDLE) for one in walk.acts])
     walks = np.array([feet.walks.get(one, WALK) for one in walk.walks])
     done = Motions(walk.place, walk.facing, walk.present, acts[walk.posture], walks[walk.emotion])
-    found = footings_of(done, feet, progress)
+    found = compute_footings(done, feet, progress)
     starts = np.cumsum([0, *map(len, found)])
     missing = sorted({one for one in walk.walks if one != "regular" and f"walk_{one}" not in names})
     lines = [f"the pack has no walk of who is {', '.join(missing)}: make it with --feelings"] if missing else []
-    footings, blocks = np.concatenate(found).reshape(-1, COLUMNS), blocks_of(walk.obstacles, walk.things_at)
+    footings, blocks = np.concatenate(found).reshape(-1, COLUMNS), obstacle_blocks(walk.obstacles, walk.things_at)
     return Acted(footings, starts.astype(np.uint32), rows, touches, clips, blocks), lines
 
 

@@ -14,7 +14,7 @@ from cloner.behaviour.world import World
 _MADE: Final = {"others", "distance", "fields", "told"}
 
 
-def beginning(world: World) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+def initial_state(world: World) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the initial state of a world that has made no step, for ``crowd/web/engine.js``.
 
     Returns
@@ -27,10 +27,10 @@ def beginning(world: World) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     rows = world.core.arrays
     kept = {name: own.view(np.uint8) if own.dtype == bool else own.copy() for name, own in rows.items()
             if name not in _MADE and own.any()}  # fmt: skip
-    return begun(world), kept
+    return engine_layout(world), kept
 
 
-def begun(world: World) -> dict[str, Any]:
-    """Return with what a world's engine was made, and name, type and size of each array that it lends, in turn."""
+def engine_layout(world: World) -> dict[str, Any]:
+    """Return the arguments of a world's engine, and name, type and size of each array it shares, in order."""
     rows = world.core.arrays
     return world.core.begun | {"arrays": [[name, kind, int(rows[name].size)] for name, kind, _ in ARRAYS]}

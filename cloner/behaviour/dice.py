@@ -20,8 +20,8 @@ _GOLDEN: Final = 0x9E3779B97F4A7C15
 _MASK: Final = (1 << 64) - 1
 
 
-def purpose(name: str, count: int = 0) -> int:
-    """Return the number of a purpose, such as "split", and of how often it came up."""
+def purpose_number(name: str, count: int = 0) -> int:
+    """Return the number of a purpose, such as "split", and of how often it occurred."""
     return (zlib.crc32(name.encode("utf-8")) << 32) ^ count
 
 
@@ -32,7 +32,7 @@ def _mixed(z: NDArray[np.uint64]) -> NDArray[np.uint64]:
 
 
 def uniform(seed: int, what: int, who: Indices) -> Array:
-    """Return one number in 0..1 a person, (n,): the same for the same seed, purpose and person."""
+    """Return one number in 0..1 per person, (n,): equal for equal seed, purpose and person."""
     start = np.array([(seed * _GOLDEN) & _MASK, what & _MASK], np.uint64)
     base = _mixed(_mixed(start[:1]) + start[1:])
     z = _mixed(_mixed(base + who.astype(np.uint64) * np.uint64(_GOLDEN)))
@@ -40,13 +40,13 @@ def uniform(seed: int, what: int, who: Indices) -> Array:
 
 
 def normal(seed: int, what: int, who: Indices) -> Array:
-    """Return numbers of mean 0 and deviation 1, (n,): the sum of twelve uniform ones, so never beyond six."""
+    """Return numbers of mean 0 and standard deviation 1, (n,): the sum of twelve uniform ones, so at most six."""
     total = np.zeros(len(who))
     for k in range(12):
         total = total + uniform(seed, what + (k + 1) * 0x1000003, who)
     return total - 6.0
 
 
-def order(seed: int, what: int, who: Indices) -> Indices:
-    """Return the same people in a random order, (n,)."""
+def shuffled(seed: int, what: int, who: Indices) -> Indices:
+    """Return the people in a random order, (n,)."""
     return who[np.argsort(uniform(seed, what, who), kind="stable")]

@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.core.host import Core
+from cloner.behaviour.core.host import CrowdEngine
 from cloner.behaviour.dice import Indices
 from cloner.behaviour.ground import Mask
 from cloner.behaviour.walking import RATE_HZ
@@ -35,7 +35,7 @@ Rows = NDArray[np.float32]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Feet:
-    """What is known of the feet of those who act.
+    """Feet of those who act.
 
     Attributes
     ----------
@@ -70,8 +70,8 @@ class Feet:
         looks, clips = self.clips.shape[:2]
         return {"looks": looks + self.spare, "clips": clips, "frames": KEPT}
 
-    def fill(self, core: Core, acts: Sequence[int], walks: Sequence[int]) -> None:
-        """Write what is known into an engine that has just begun, and the clips of acts and emotions."""
+    def fill(self, core: CrowdEngine, acts: Sequence[int], walks: Sequence[int]) -> None:
+        """Write the feet and the clips of acts and emotions into a new engine."""
         arrays = core.arrays
         arrays["touches"][: len(self.touches)], arrays["clips"][: len(self.clips)] = self.touches, self.clips
         arrays["look_of"][:], arrays["scale"][:], arrays["start_phase"][:] = self.look, self.scale, self.phase
@@ -81,7 +81,7 @@ class Feet:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motions:
-    """What bodies do, ten times a second: (f, n) a frame and person.
+    """What bodies do, ten times a second: (f, n) per frame and person.
 
     ``place`` (f, n, 2) metres on the plan and ``facing`` (f, n, 2); who is ``present``; ``acts`` the clip of what is
     done standing, ``walks`` that of the walk.
@@ -94,11 +94,13 @@ class Motions:
     walks: Indices
 
 
-def footings_of(done: Motions, feet: Feet, progress: Progress = no_progress) -> list[Rows]:
-    """Return everybody's footings of what was done, each (m, 13) float32, from the first frame to the last."""
+def compute_footings(done: Motions, feet: Feet, progress: Progress = no_progress) -> list[Rows]:
+    """Return everybody's footings of given motions, each (m, 13) float32, from the first frame to the last."""
     frames, people = done.present.shape
     kinds = feet.clips.shape[1]
-    core = Core({"people": people, "rows": 1, "cols": 1, "emotions": kinds, "acts": kinds, **feet.counts()}, (0.0, 0.0))
+    core = CrowdEngine(
+        {"people": people, "rows": 1, "cols": 1, "emotions": kinds, "acts": kinds, **feet.counts()}, (0.0, 0.0)
+    )
     feet.fill(core, range(kinds), range(kinds))
     arrays, found = core.arrays, [np.zeros((0, _COLUMNS), np.float32) for _ in range(people)]
     for frame in range(frames):
@@ -108,25 +110,25 @@ def footings_of(done: Motions, feet: Feet, progress: Progress = no_progress) -> 
         core.call("watch")
         if frame % _TAKEN == 0:
             core.call("stride", frame / RATE_HZ - SEEN_S)
-            _add(found, taken(core))
+            _add(found, take_footings(core))
             progress("footings", frame / frames)
     core.call("halt")
-    _add(found, taken(core))
+    _add(found, take_footings(core))
     return found
 
 
-def taken(core: Core) -> dict[int, Rows]:
-    """Take new footings from the engine: of each person (m, 13), in time; the last ones may become longer."""
+def take_footings(core: CrowdEngine) -> dict[int, Rows]:
+    """Take new footings from the engine: (m, 13) per person, in time; the last ones may become longer."""
     count = int(core.arrays["foot_numbers"][0])
     rows = core.arrays["footings"][:count].copy()
     core.arrays["foot_numbers"][0] = 0
     rows = rows[np.argsort(rows[:, 0], kind="stable")]
     people, starts = np.unique(rows[:, 0], return_index=True)
     ends = np.append(starts, count)[1:]
-    return {int(who): _last_told(rows[k:end, 1:]) for who, k, end in zip(people, starts, ends, strict=True)}
+    return {int(who): _latest_versions(rows[k:end, 1:]) for who, k, end in zip(people, starts, ends, strict=True)}
 
 
-def _last_told(rows: Rows) -> Rows:
+def _latest_versions(rows: Rows) -> Rows:
     """Return footings without those that are reported again, extended."""
     return np.asarray(rows[np.append(rows[1:, 0] != rows[:-1, 0], True)])
 

@@ -36,7 +36,7 @@ _HINT: Final = "Give a floor, such as: floor 0, 0 to 30, 12"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ground:
-    """Where one can walk.
+    """The walkable area.
 
     ``walls`` (S, 4) start and end of each wall; ``clear`` (rows, cols) distance of a cell's middle to the nearest wall,
     at most 8, negative where nobody can stand; ``near`` (rows, cols, k) places in ``walls`` of those within reach, -1
@@ -49,36 +49,36 @@ class Ground:
     near: Indices
 
     def cells(self, place: Array) -> tuple[Indices, Indices]:
-        """Return row and column of the cell of each place (n, 2), clipped to the raster."""
+        """Return row and column of the cell of each point (n, 2), clipped to the raster."""
         column = ((place[:, 0] - self.low[0]) / CELL_M).astype(np.int64)
         row = ((place[:, 1] - self.low[1]) / CELL_M).astype(np.int64)
         rows, cols = self.clear.shape
         return np.maximum(np.minimum(row, rows - 1), 0), np.maximum(np.minimum(column, cols - 1), 0)
 
     def middles(self, row: Indices, column: Indices) -> Array:
-        """Return the middles of cells, (n, 2) metres."""
+        """Return the centres of cells, (n, 2) metres."""
         return np.stack([self.low[0] + (column + 0.5) * CELL_M, self.low[1] + (row + 0.5) * CELL_M], axis=-1)
 
-    def stands(self, place: Array) -> Mask:
-        """Return whether a body can stand at each place, (n,)."""
+    def is_free(self, place: Array) -> Mask:
+        """Return whether a body can stand at each point, (n,)."""
         row, column = self.cells(place)
         return np.asarray(self.clear[row, column] >= RAY_BODY_M)
 
     def region(self, corners: Array) -> Mask:
-        """Return the cells (rows, cols) in which one can stand whose middle lies in a region's corners (k, 2)."""
+        """Return the free cells (rows, cols) whose centre lies in a region with corners (k, 2)."""
         row, column = np.indices(self.clear.shape)
         within = inside(self.middles(row.ravel(), column.ravel()), corners).reshape(self.clear.shape)
         return np.asarray(within & (self.clear >= RAY_BODY_M))
 
 
-def box(middle: Sequence[float], size: Sequence[float]) -> Array:
-    """Return the corners of a rectangle, (4, 2), against the clock."""
+def rectangle(middle: Sequence[float], size: Sequence[float]) -> Array:
+    """Return the corners of a rectangle, (4, 2), counter-clockwise."""
     x, y, w, h = middle[0], middle[1], size[0] / 2.0, size[1] / 2.0
     return np.array([[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]])
 
 
 def inside(place: Array, corners: Array) -> Mask:
-    """Return whether places (n, 2) lie in a polygon (k, 2), (n,): a ray to the right crosses its edges oddly."""
+    """Return whether points (n, 2) lie in a polygon (k, 2), (n,), by the even-odd rule."""
     odd = np.zeros(len(place), bool)
     x, y = place[:, 0], place[:, 1]
     for (ax, ay), (bx, by) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
@@ -89,8 +89,8 @@ def inside(place: Array, corners: Array) -> Mask:
     return odd
 
 
-def ground_of(floors: Sequence[Array], obstacles: Sequence[Array] = ()) -> Ground:
-    """Return the ground of floors (each (k, 2) corners, overlapping ones are one) less obstacles.
+def make_ground(floors: Sequence[Array], obstacles: Sequence[Array] = ()) -> Ground:
+    """Return the ground of floors (each (k, 2) corners; overlapping ones are merged) minus obstacles.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def _open(place: Array, floors: Sequence[Array], obstacles: Sequence[Array]) -> 
 
 
 def _walls(floors: Sequence[Array], obstacles: Sequence[Array]) -> Array:
-    """Return the edges, cut where they meet, that have floor on one side only."""
+    """Return the edges, cut where they intersect, that have floor on one side only."""
     edges = np.concatenate([np.hstack([one, np.roll(one, -1, axis=0)]) for one in (*floors, *obstacles)])
     pieces: list[tuple[float, ...]] = []
     for ax, ay, bx, by in edges:
@@ -160,7 +160,7 @@ def _cuts(start: Array, end: Array, edges: Array) -> list[float]:
 
 
 def _wall_distances(low: Array, middle: Array, walls: Array) -> tuple[Array, Indices]:
-    """Return the distance of each cell's middle (rows, cols, 2) to the nearest wall, and the walls within reach."""
+    """Return the distance of each cell's centre (rows, cols, 2) to the nearest wall, and the walls within reach."""
     rows, cols = middle.shape[:2]
     nearest = np.full((rows, cols), _FAR_M)
     touched: list[tuple[Indices, int]] = []
@@ -185,7 +185,7 @@ def _wall_distances(low: Array, middle: Array, walls: Array) -> tuple[Array, Ind
 
 
 def _square_to(place: Array, wall: Array) -> Array:
-    """Return the square of the distance of places (n, 2) to a wall."""
+    """Return the squared distance of points (n, 2) to a wall."""
     ax, ay, bx, by = wall
     ux, uy = bx - ax, by - ay
     dx, dy = place[:, 0] - ax, place[:, 1] - ay

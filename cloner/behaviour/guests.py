@@ -11,32 +11,32 @@ from cloner.behaviour.world import World
 _OUTSIDE = 1 << FLAGS.index("outside")
 
 
-def free_guest(world: World) -> int:
-    """Return whose place somebody from outside may take, -1 where all are taken."""
+def find_free_guest(world: World) -> int:
+    """Return a guest that nobody controls, -1 if there is none."""
     return int(world.core.call("freeGuest"))
 
 
-def receive(world: World, who: int, place: tuple[float, float], facing: tuple[float, float]) -> None:
-    """Let a guest come, or go on, to a place on the floor, and look somewhere; who stands in a wall is not heard.
+def move_guest(world: World, who: int, place: tuple[float, float], facing: tuple[float, float]) -> None:
+    """Move a guest to a point on the floor with a heading; points inside walls are ignored.
 
     Parameters
     ----------
     world : World
     who : int
-        As of :func:`free_guest`.
+        As of :func:`find_free_guest`.
     place, facing : (2,)
         Metres on the plan, and a unit direction.
     """
     world.hear("come", who, *place, *facing)
 
 
-def leave(world: World, who: int) -> None:
-    """Let a guest be gone."""
+def remove_guest(world: World, who: int) -> None:
+    """Remove a guest."""
     if who >= 0:
         world.hear("depart", who)
 
 
-def guests(world: World) -> int:
+def guest_count(world: World) -> int:
     """Return the number of guests."""
     outside = world.core.arrays["home_flags"][world.people.home] & _OUTSIDE
     return int((world.bodies.present & (outside != 0)).sum())

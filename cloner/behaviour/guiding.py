@@ -38,26 +38,26 @@ NOT_ALLOWED, TOO_MANY = 1008, 1013
 
 
 @dataclass(slots=True)
-class _Wish:
-    """What a guide wants of the loop, and where the answer is waited for."""
+class _Request:
+    """A guide's request, with the queue on which its answer is awaited."""
 
     message: dict[str, Any]
     answer: queue.SimpleQueue[dict[str, Any]] = field(default_factory=queue.SimpleQueue)
 
 
 @dataclass(slots=True)
-class Desk:
-    """Where guides leave wishes and the loop takes them."""
+class RequestQueue:
+    """Requests of guides for the simulation loop."""
 
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
-    wishes: queue.SimpleQueue[_Wish] = field(default_factory=queue.SimpleQueue)
+    wishes: queue.SimpleQueue[_Request] = field(default_factory=queue.SimpleQueue)
     over: threading.Event = field(default_factory=threading.Event)
     places: threading.BoundedSemaphore = field(default_factory=lambda: threading.BoundedSemaphore(MOST_GUIDES))
 
 
 @contextmanager
-def listening(desk: Desk, port: int = 0) -> Iterator[int]:
-    """Let guides in while the block lasts; give the port.
+def serve_guides(desk: RequestQueue, port: int = 0) -> Iterator[int]:
+    """Accept guides while the block lasts; yield the port.
 
     Parameters
     ----------
@@ -89,20 +89,22 @@ def listening(desk: Desk, port: int = 0) -> Iterator[int]:
         yield int(server.socket.getsockname()[1])
     finally:
         desk.over.set()
-        _let_them_hear(desk)
+        _wait_for_answers(desk)
         server.shutdown()
         thread.join(PATIENCE_S)
 
 
-def _let_them_hear(desk: Desk) -> None:
-    """Wait until every guide has its last answer and has given its place back; shutting down would cut it off."""
+def _wait_for_answers(desk: RequestQueue) -> None:
+    """Wait until every guide has its last answer and has disconnected, as shutting down would cut it off."""
     until = time.monotonic() + PATIENCE_S
     for _ in range(MOST_GUIDES):
         desk.places.acquire(timeout=max(until - time.monotonic(), 0.0))
 
 
-def guided(world: World, desk: Desk, seconds: float, pace: Callable[[float], None] | None = None) -> Iterator[World]:
-    """Yield the world after each step, obeying guides, until the time is over or one of them ends it.
+def guided_steps(
+    world: World, desk: RequestQueue, seconds: float, pace: Callable[[float], None] | None = None
+) -> Iterator[World]:
+    """Yield the world after each step, obeying guides, until the time is over or a guide ends it.
 
     Parameters
     ----------
@@ -112,7 +114,7 @@ def guided(world: World, desk: Desk, seconds: float, pace: Callable[[float], Non
     pace : callable, optional
         Called with the scenario's time, seconds, before each step; waits. None keeps to the clock.
     """
-    pace = pace or by_the_clock()
+    pace = pace or real_time_pace()
     for now in run(world, seconds):
         yield now
         pace(now.time_s)
@@ -124,8 +126,8 @@ def guided(world: World, desk: Desk, seconds: float, pace: Callable[[float], Non
                     return
 
 
-def by_the_clock() -> Callable[[float], None]:
-    """Return a function that waits for a time of the clock; a late step delays all that follow."""
+def real_time_pace() -> Callable[[float], None]:
+    """Return a function that waits for a time of the clock; a late step delays all later ones."""
     begun = time.monotonic()
 
     def wait(at_s: float) -> None:
@@ -140,7 +142,7 @@ def by_the_clock() -> Callable[[float], None]:
 
 
 def _answer(world: World, message: dict[str, Any]) -> dict[str, Any]:
-    """Do what a guide wants, between two steps, and return what to tell."""
+    """Execute a guide's request between two steps, and return the answer."""
     at = {"at_s": round(world.time_s, 3)}
     if message.get("do") == "order":
         try:
@@ -149,14 +151,14 @@ def _answer(world: World, message: dict[str, Any]) -> dict[str, Any]:
             return at | {"error": str(error)}
         return at | {"obeyed_from_s": round(world.time_s + STEP_S, 3)}
     if message.get("do") == "look":
-        return at | _seen(world)
+        return at | _describe_people(world)
     if message.get("do") == "end":
         return at | {"ended": True}
     return at | {"error": f"{printable(str(message.get('do')))} is nothing that can be done. Say order, look or end"}
 
 
-def _seen(world: World) -> dict[str, Any]:
-    """Return everybody's number, group, place (x, y) in metres, facing, posture and emotion, and the messages."""
+def _describe_people(world: World) -> dict[str, Any]:
+    """Return everybody's number, group, position (x, y) in metres, heading, posture and emotion, and the messages."""
     people, scenario = world.people, world.scenario
     shown = []
     for k in world.bodies.present.nonzero()[0]:
@@ -175,8 +177,8 @@ def _seen(world: World) -> dict[str, Any]:
     return {"people": shown, "told": [[round(when, 3), text] for when, text in world.told]}
 
 
-def _receive(desk: Desk, guest: Any) -> None:
-    """Serve one guide until it or the scenario ends; whatever it sends, the loop continues."""
+def _receive(desk: RequestQueue, guest: Any) -> None:
+    """Serve one guide until it or the scenario ends, whatever it sends."""
     from websockets.exceptions import ConnectionClosed
 
     if not desk.places.acquire(blocking=False):
@@ -190,14 +192,14 @@ def _receive(desk: Desk, guest: Any) -> None:
         guest.send(json.dumps({"welcome": True}))
         while not desk.over.is_set():
             with suppress(TimeoutError):
-                guest.send(json.dumps(_asked(desk, guest.recv(timeout=1.0))))
+                guest.send(json.dumps(_forward(desk, guest.recv(timeout=1.0))))
     except ConnectionClosed:
         log.info("a guide has gone")
     finally:
         desk.places.release()
 
 
-def _knows_token(desk: Desk, guest: Any) -> bool:
+def _knows_token(desk: RequestQueue, guest: Any) -> bool:
     try:
         first = read_message(guest.recv(timeout=PATIENCE_S))
         return hmac.compare_digest(str(first.get("token", "")).encode(), desk.token.encode())
@@ -205,10 +207,10 @@ def _knows_token(desk: Desk, guest: Any) -> bool:
         return False
 
 
-def _asked(desk: Desk, said: str | bytes) -> dict[str, Any]:
-    """Hand one message to the loop and return its answer."""
+def _forward(desk: RequestQueue, said: str | bytes) -> dict[str, Any]:
+    """Pass one message to the loop and return its answer."""
     try:
-        wish = _Wish(read_message(said))
+        wish = _Request(read_message(said))
     except ValueError:
         return {"error": 'that is no message. Say for example {"do": "order", "text": "school goes to door"}'}
     desk.wishes.put(wish)

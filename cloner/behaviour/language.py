@@ -10,7 +10,7 @@ from typing import Any, Final
 from lark import Lark, Token, Transformer, UnexpectedInput
 from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedToken, VisitError
 
-from cloner.behaviour.checking import checked, checked_actions, fault
+from cloner.behaviour.checking import check_actions, check_scenario, scenario_error
 from cloner.behaviour.grammar import CALLED, GRAMMAR
 from cloner.behaviour.model import (
     EMOTIONS,
@@ -44,7 +44,7 @@ _TOLD: Final = {"region": "size"} | {name: name for name in ("holds", "look_at",
 
 
 class Word(str):
-    """A name as it was written, and where."""
+    """A name with its position in the text."""
 
     __slots__ = ("column", "line")
     line: int
@@ -52,7 +52,7 @@ class Word(str):
 
 
 class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not be there when types are checked
-    """Turns the tree into records."""
+    """Transforms the parse tree into records."""
 
     def NAME(self, token: Token) -> Word:
         word = Word(token)
@@ -94,7 +94,7 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         return {"act": found[0], "seconds": found[1]}
 
     def point(self, found: list[Any]) -> tuple[str, Any]:
-        return "points", Point(found[0], found[1], **_once(found[2:], found[0]))
+        return "points", Point(found[0], found[1], **_merge_parts(found[2:], found[0]))
 
     def thing(self, found: list[Any]) -> tuple[str, Any]:
         return "things", Thing(*found)
@@ -173,7 +173,7 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         return Action("event", what=found[0])
 
     def __default__(self, data: str, children: list[Any], meta: Any) -> Any:
-        """Return what a clause tells, or "who verb what seconds" as an action."""
+        """Return a clause's record, or "who verb what seconds" as an action."""
         if data in _FLAGS:
             return _FLAGS[data]
         if data in _TOLD:
@@ -184,13 +184,13 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         return Action("act" if data == "do" else str(data), who, what or "", seconds or 0.0)
 
 
-def _once(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
-    """Return all parts as one; the same part twice is a mistake."""
+def _merge_parts(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
+    """Return all parts as one; a repeated part is an error."""
     told: dict[str, Any] = {}
     for part in parts:
         for key, value in part.items():
             if key in told:
-                raise fault(f"{name} is told its {key.replace('_', ' ')} twice", "Keep one of both", name)
+                raise scenario_error(f"{name} is told its {key.replace('_', ' ')} twice", "Keep one of both", name)
             told[key] = value
     return told
 
@@ -198,7 +198,9 @@ def _once(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
 def _group(name: str, people: int, parts: Sequence[dict[str, Any]], *, alone: bool) -> Group:
     parts = [part for part in parts if part is not None]
     likes = tuple(part["likes"] for part in parts if "likes" in part)
-    return Group(name, people, alone, likes=likes, **_once([part for part in parts if "likes" not in part], name))
+    return Group(
+        name, people, alone, likes=likes, **_merge_parts([part for part in parts if "likes" not in part], name)
+    )
 
 
 def _corners(x: float, y: float, w: float, h: float) -> tuple[tuple[float, float], ...]:
@@ -214,15 +216,15 @@ def _parsed(text: str, start: str, where: str) -> Any:
     try:
         return _Records().transform(_parser().parse(text, start=start))
     except UnexpectedInput as error:
-        raise _explained(error, text, where) from error
+        raise _explain(error, text, where) from error
     except VisitError as error:
         if isinstance(error.orig_exc, ClonerError):
             raise error.orig_exc from error
         raise
 
 
-def _explained(error: UnexpectedInput, text: str, where: str) -> ClonerError:
-    """Return the sentence for a word that does not fit."""
+def _explain(error: UnexpectedInput, text: str, where: str) -> ClonerError:
+    """Return the error message for an unexpected token."""
     if isinstance(error, UnexpectedToken):
         found, expected = str(error.token).strip(), error.accepts or error.expected
         if error.token.type in {"$END", "_NL"} or not found:
@@ -233,7 +235,7 @@ def _explained(error: UnexpectedInput, text: str, where: str) -> ClonerError:
         found, expected = repr(text[error.pos_in_stream]), error.allowed or set()
     else:
         found, expected = "the end of the text", error.expected if isinstance(error, UnexpectedEOF) else set()
-    names = sorted({_called(one) for one in expected})
+    names = sorted({_operator_name(one) for one in expected})
     told = ", ".join(names[:_MOST_EXPECTED]) + (", ..." if len(names) > _MOST_EXPECTED else "")
     at_end = error.line is None or error.line < 1
     line = text.count("\n") + 1 if at_end else error.line
@@ -241,7 +243,7 @@ def _explained(error: UnexpectedInput, text: str, where: str) -> ClonerError:
     return ClonerError(f"{found} does not fit", f"Expected: {told}", f"{where}, line {line}, column {column}")
 
 
-def _called(terminal: str) -> str:
+def _operator_name(terminal: str) -> str:
     """Return an operator's name for a terminal symbol."""
     if terminal in CALLED:
         return CALLED[terminal]
@@ -249,8 +251,8 @@ def _called(terminal: str) -> str:
     return str(getattr(pattern, "value", terminal))
 
 
-def read_text(text: str, where: str = "scenario") -> Scenario:
-    """Return the scenario a text tells.
+def parse_scenario(text: str, where: str = "scenario") -> Scenario:
+    """Return the scenario of a text.
 
     Raises
     ------
@@ -263,7 +265,7 @@ def read_text(text: str, where: str = "scenario") -> Scenario:
     own = {one.name: one for one in told.get("emotions", ())}
     emotions = tuple(own.pop(one.name, one) for one in EMOTIONS) + tuple(own.values())
     parts = {kind: tuple(told.get(kind, ())) for kind in ("floors", "obstacles", "points", "things", "groups", "rules")}
-    return checked(Scenario(emotions=emotions, scene=(told.get("scene") or [""])[0], **parts), where)
+    return check_scenario(Scenario(emotions=emotions, scene=(told.get("scene") or [""])[0], **parts), where)
 
 
 def read_scenario(path: Path) -> Scenario:
@@ -274,11 +276,11 @@ def read_scenario(path: Path) -> Scenario:
     ClonerError
         If it cannot be read or says something wrong.
     """
-    return read_text(scenario_text(path), path.name)
+    return parse_scenario(scenario_text(path), path.name)
 
 
 def scenario_text(path: Path) -> str:
-    """Return the text of a file that should tell a scenario.
+    """Return the text of a scenario's file.
 
     Raises
     ------
@@ -288,13 +290,13 @@ def scenario_text(path: Path) -> str:
     return read_untrusted_text(path, "the scenario", "Give a text file, such as samples/museum.crowd", LARGEST_BYTES)
 
 
-def read_actions(text: str, scenario: Scenario, where: str = "order") -> tuple[Action, ...]:
+def parse_actions(text: str, scenario: Scenario, where: str = "order") -> tuple[Action, ...]:
     """Return the actions of one line, as a guide gives them.
 
     Raises
     ------
     ClonerError
-        As :func:`read_text`.
+        As :func:`parse_scenario`.
     """
     actions: tuple[Action, ...] = _parsed(text, "actions", where)
-    return checked_actions(actions, scenario, where)
+    return check_actions(actions, scenario, where)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator
 
-from cloner.behaviour.language import read_actions
+from cloner.behaviour.language import parse_actions
 from cloner.behaviour.model import Action
 from cloner.behaviour.told import sentences
 from cloner.behaviour.walking import STEP_S
@@ -13,7 +13,7 @@ from cloner.behaviour.world import World
 
 
 def step(world: World) -> None:
-    """Let .05 s pass."""
+    """Advance by .05 s."""
     while world.guided:
         action = world.guided[0]
         if not world.hear("guide", *world.names.row_of(action), action.seconds):
@@ -36,16 +36,16 @@ def run(world: World, seconds: float) -> Iterator[World]:
 
 
 def guide(world: World, order: str | Action) -> None:
-    """Give an order from outside, above reactions and script; it is obeyed in the next step.
+    """Give an order from outside, with priority over reactions and script; it is obeyed in the next step.
 
     Raises
     ------
     ClonerError
         If the order says something wrong.
     """
-    world.guided += read_actions(order, world.scenario) if isinstance(order, str) else (order,)
+    world.guided += parse_actions(order, world.scenario) if isinstance(order, str) else (order,)
 
 
 def digest(world: World) -> str:
-    """Return a digest of all places to the last bit: equal for equal scenario, seed and number of steps."""
+    """Return a digest of all positions to the last bit: equal for equal scenario, seed and number of steps."""
     return hashlib.sha256(world.bodies.place.astype("<f8").tobytes()).hexdigest()[:16]

@@ -16,7 +16,7 @@ XY = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A place to pass (IP), or to act at (AP) if ``act`` is given; its capacity ``holds``, 0 for unlimited."""
+    """A point to pass (IP), or to act at (AP) if ``act`` is given; its capacity ``holds``, 0 for unlimited."""
 
     name: str
     at: XY
@@ -29,7 +29,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Thing:
-    """Something to see and to look at, such as a statue; it sleeps until an event awakens it."""
+    """Something to see and to look at, such as a statue; inactive until an event awakens it."""
 
     name: str
     at: XY
@@ -45,7 +45,7 @@ class Shape:
 
 @dataclass(frozen=True, slots=True)
 class Emotion:
-    """How one walks who feels so in full: style, speed in m/s, and what one does while standing."""
+    """How one walks who feels it fully: style, speed in m/s, and the act while standing."""
 
     name: str
     speed: float
@@ -66,7 +66,7 @@ EMOTIONS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Feeling:
-    """So many percent feel this emotion; the others any other one."""
+    """A percentage that feels this emotion; the others feel a random other one."""
 
     emotion: str
     percent: float = 100.0
@@ -74,7 +74,7 @@ class Feeling:
 
 @dataclass(frozen=True, slots=True)
 class Follows:
-    """Whom a group follows: for ever, for some ``seconds``, or ``at_times`` chosen at random."""
+    """Whom a group follows: always, for some ``seconds``, or ``at_times`` chosen at random."""
 
     group: str
     seconds: float = 0.0
@@ -83,7 +83,7 @@ class Follows:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """People with one mind; or, ``alone``, a crowd of people each with a mind of their own.
+    """People with one mind; or, ``alone``, a crowd of people with a mind each.
 
     ``leader`` is "random", "emerging" (the highest domination) or a name. ``knows`` None is every point. ``likes``
     holds pairs of a group and a liking 0..1. Without ``visits`` they go to known points at random, or wander. Who comes
@@ -110,7 +110,7 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Who:
-    """Whom an action is for: "everybody", "they" (who let a rule act), or a "name" of a group, crowd or thing."""
+    """Whom an action is for: "everybody", "they" (who triggered a rule), or a "name" of a group, crowd or thing."""
 
     kind: str
     name: str = ""
@@ -118,7 +118,7 @@ class Who:
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """One thing that is ordered.
+    """One ordered action.
 
     ``verb`` is one of `VERBS`; ``what`` its emotion, point, thing, group or act; ``seconds`` how long (0: until other
     orders), ``count`` into how many a group splits.
@@ -156,7 +156,7 @@ class When:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """When something happens, actions follow: by time as script, by an event or a perception as reaction."""
+    """Actions upon a condition: a time (script), an event or a perception (reaction)."""
 
     when: When
     actions: tuple[Action, ...]
@@ -164,7 +164,7 @@ class Rule:
 
 @dataclass(frozen=True, slots=True)
 class Scenario:
-    """A world and who is in it."""
+    """A world and its people."""
 
     floors: tuple[Shape, ...]
     obstacles: tuple[Shape, ...] = ()

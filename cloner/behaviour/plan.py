@@ -68,7 +68,7 @@ class Plan:
         cv2.putText(picture, shown, (int(x), int(y)), cv2.FONT_HERSHEY_SIMPLEX, 0.4, colour, 1, cv2.LINE_AA)
 
     def draw(self, walk: Trajectories, frame: int) -> Pixels:
-        """Return the picture (H, W, 3) of one frame: ticks tell facing, rims groups, tails the last two seconds."""
+        """Return the picture (H, W, 3) of one frame: ticks show headings, rims groups, tails the last two seconds."""
         picture = self._back.copy()
         awake = {
             text.partition(" ")[0] for when, text in walk.told if when <= frame / RATE_HZ and text.endswith("awakens")

@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Mask, box
+from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Mask, rectangle
 from cloner.behaviour.model import Action, Group, Scenario, When, Who
 from cloner.records.arrays import Array
 
@@ -35,7 +35,7 @@ Tables = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True, slots=True)
 class Names:
-    """What the numbers of a scenario's tables stand for; ``acts`` and ``events`` grow when somebody orders new ones."""
+    """The names behind the numbers in a scenario's tables; ``acts`` and ``events`` grow with new orders."""
 
     groups: list[str]
     points: list[str]
@@ -76,13 +76,13 @@ class Names:
         return KINDS.index(kind), *self._whose(when.who), what, int(when.awake)
 
     def _whose(self, who: Who) -> tuple[int, int]:
-        """Return whom something is for; a name that is no group's is nobody's."""
+        """Return the number of a group's name; a name that belongs to no group stands for nobody."""
         home = self.groups.index(who.name) if who.name in self.groups else -1
         return WHO.index(who.kind), home
 
 
-def names_of(scenario: Scenario, more_acts: Iterable[str] = ()) -> Names:
-    """Return the names of a scenario; who acts it may know more acts, which orders can name."""
+def collect_names(scenario: Scenario, more_acts: Iterable[str] = ()) -> Names:
+    """Return the names of a scenario; its actors may know more acts, which orders can name."""
     orders = [one for rule in scenario.rules for one in rule.actions]
     events = [one.what for one in orders if one.verb == "event"]
     acts = [*ACTS, *(p.act for p in scenario.points if p.act), *(act for e in scenario.emotions for act in e.acts),
@@ -97,7 +97,7 @@ def names_of(scenario: Scenario, more_acts: Iterable[str] = ()) -> Names:
     )
 
 
-def tables_of(scenario: Scenario, names: Names, ground: Ground) -> Tables:
+def make_tables(scenario: Scenario, names: Names, ground: Ground) -> Tables:
     """Return the tables of a scenario by the engine's names (`core.host.ARRAYS`).
 
     Raises
@@ -118,7 +118,7 @@ def _groups(scenario: Scenario, names: Names) -> Tables:
         "home_flags": np.array([_flags(one) for one in scenario.groups]),
         "home_leads": np.array([_leads(one) for one in scenario.groups]),
         "home_memory": np.array([one.memory for one in scenario.groups]).clip(0, 2**31 - 1),
-        "likes_first": _ends(likes),
+        "likes_first": _offsets(likes),
         "likes": np.array([one for own in likes for one in own], np.int64),
     }
 
@@ -128,7 +128,7 @@ def _flags(group: Group) -> int:
 
 
 def _leads(group: Group) -> int:
-    """Return who leads: one at random, whoever emerges, or, by a name, the first."""
+    """Return the kind of leader: random, emerging, or, by a name, the first."""
     return LEADS.index(group.leader) if group.leader in LEADS else len(LEADS)
 
 
@@ -137,16 +137,16 @@ def _feelings(scenario: Scenario, names: Names) -> Tables:
     return {
         "thing_place": np.array([one.at for one in scenario.things], np.float64).reshape(-1, 2),
         "speed": np.array([one.speed for one in scenario.emotions]),
-        "idle_first": _ends(acts),
+        "idle_first": _offsets(acts),
         "idle_acts": np.array([one for own in acts for one in own], np.int64),
     }
 
 
 def _places(scenario: Scenario, names: Names, ground: Ground) -> Tables:
     points = scenario.points
-    corners = [box(one.at, one.size) for one in points]
+    corners = [rectangle(one.at, one.size) for one in points]
     regions = [ground.region(one) for one in corners]
-    spots = [_spots(ground, one) for one in regions]
+    spots = [_standing_places(ground, one) for one in regions]
     middles = np.array([one.at for one in points], np.float64).reshape(-1, 2)
     lattices = [_lattice(one) for one in spots]
     nearest = [_by_distance(one, middle) for one, middle in zip(spots, middles, strict=True)]
@@ -155,23 +155,23 @@ def _places(scenario: Scenario, names: Names, ground: Ground) -> Tables:
         "place_middle": middles,
         "place_low": np.array([one.min(axis=0) for one in corners]).reshape(-1, 2),
         "place_high": np.array([one.max(axis=0) for one in corners]).reshape(-1, 2),
-        "place_counter": _counters(ground, middles),
+        "place_counter": _service_places(ground, middles),
         "place_seconds": np.array([one.seconds for one in points], np.float64),
         "place_act": np.array([names.acts.index(one.act) if one.act else -1 for one in points], np.int64),
         "place_holds": np.array([one.holds for one in points], np.int64).clip(0, 2**31 - 1),
         "place_look": np.array([names.things.index(p.look_at) if p.look_at else -1 for p in points], np.int64),
-        "spot_first": _ends(spots),
+        "spot_first": _offsets(spots),
         "spots": np.concatenate([np.zeros((0, 2)), *spots]),
         "spots_nearest": np.concatenate([np.zeros(0, np.int64), *nearest]),
-        "lattice_first": _ends([one.ravel() for one in lattices]),
+        "lattice_first": _offsets([one.ravel() for one in lattices]),
         "lattice_wide": np.array([one.shape[1] for one in lattices], np.int64),
         "lattice_low": np.array([one.min(axis=0, initial=np.inf) for one in spots]).reshape(-1, 2),
         "lattice": np.concatenate([np.zeros(0, np.int64), *(one.ravel() for one in lattices)]),
     }
 
 
-def _spots(ground: Ground, region: Mask) -> Array:
-    """Return places to stand in a region, `APART_M` apart, (k, 2)."""
+def _standing_places(ground: Ground, region: Mask) -> Array:
+    """Return points to stand in a region, `APART_M` apart, (k, 2)."""
     every = round(APART_M / CELL_M)
     row, column = np.nonzero(region & (ground.clear >= BODY_M))
     if not len(row):
@@ -184,7 +184,7 @@ def _spots(ground: Ground, region: Mask) -> Array:
 
 
 def _lattice(spots: Array) -> NDArray[np.int64]:
-    """Return the numbers of spots where they lie, (rows, cols), -1 where there is none."""
+    """Return the numbers of standing places by cell, (rows, cols), -1 for none."""
     if not len(spots):
         return np.full((1, 1), -1)
     low = spots.min(axis=0)
@@ -200,8 +200,8 @@ def _by_distance(spots: Array, middle: Array) -> NDArray[np.int64]:
     return np.argsort(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1], kind="stable")
 
 
-def _counters(ground: Ground, middles: Array) -> Array:
-    """Return the place to be served at each point, (p, 2)."""
+def _service_places(ground: Ground, middles: Array) -> Array:
+    """Return where one is served at each point, (p, 2)."""
     row, column = np.nonzero(ground.clear >= _SERVED_M)
     at = ground.middles(row, column)
     found = np.zeros((len(middles), 2))
@@ -227,6 +227,6 @@ def _rules(scenario: Scenario, names: Names) -> Tables:
     }
 
 
-def _ends(lists: Sequence[Sequence[Any] | NDArray[Any]]) -> NDArray[np.int64]:
+def _offsets(lists: Sequence[Sequence[Any] | NDArray[Any]]) -> NDArray[np.int64]:
     """Return the offsets of concatenated lists, and the end of the last."""
     return np.cumsum([0, *map(len, lists)])

@@ -17,7 +17,7 @@ _SAID: Final = {
 
 
 def sentences(rows: Array, names: Names) -> Iterator[tuple[float, str]]:
-    """Yield time, seconds, and sentence of what rows (k, 4) tell: time, what, which, how many."""
+    """Yield time, seconds, and sentence of rows (k, 4): time, what, which, how many."""
     lists = {"thing": names.things, "event": names.events, "point": names.points, "group": names.groups}
     k = 0
     while k < len(rows):

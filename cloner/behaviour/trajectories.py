@@ -38,7 +38,7 @@ _AGAIN: Final = "Write it again with cloner crowd run"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trajectories:
-    """What people did: (f, n) a frame and person; ``place`` (f, n, 2) m, ``facing`` (f, n, 2) unit vectors.
+    """What people did: (f, n) per frame and person; ``place`` (f, n, 2) m, ``facing`` (f, n, 2) unit vectors.
 
     ``posture``, ``emotion`` are places in the lists ``acts`` and ``emotions``; ``gaze`` in ``things``, -1 for none; who
     is not ``present`` stands where he left; ``walks`` are the emotions' styles; ``obstacles`` corners, m.
@@ -63,13 +63,13 @@ class Trajectories:
 
 
 class Recorder:
-    """Takes a frame of a world when it is time to."""
+    """Records frames of a world at the file's rate."""
 
     def __init__(self) -> None:
         self._frames: list[tuple[NDArray[Any], ...]] = []
 
-    def look(self, world: World) -> None:
-        """Keep what is so now; call it after each step, and once before the first."""
+    def record(self, world: World) -> None:
+        """Record the present state; call it after each step, and once before the first."""
         if world.steps % STEPS == 0:
             people, bodies = world.people, world.bodies
             self._frames.append(
@@ -83,7 +83,7 @@ class Recorder:
                 )
             )
 
-    def done(self, world: World) -> Trajectories:
+    def trajectories(self, world: World) -> Trajectories:
         """Return all frames."""
         scenario = world.scenario
         place, facing, present, posture, emotion, gaze = (np.stack(one) for one in zip(*self._frames, strict=True))
@@ -102,7 +102,7 @@ class Recorder:
 
 
 def pack(walk: Trajectories) -> bytes:
-    """Return the bytes of a file."""
+    """Return trajectories as a file's bytes."""
     place = np.rint(walk.place / UNIT_M).astype(np.int32).transpose(1, 2, 0)  # person, axis, time
     turn = np.arctan2(walk.facing[..., 1], walk.facing[..., 0]) * (128.0 / np.pi)
     facing = np.rint(turn).astype(np.int32).astype(np.uint8).T

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.core.host import Core
+from cloner.behaviour.core.host import CrowdEngine
 from cloner.behaviour.ground import BODY_M, Ground, Mask
 from cloner.records.arrays import Array
 
@@ -21,7 +21,7 @@ NOWHERE, GIVEN = -1, -2
 
 @dataclass(slots=True, eq=False)
 class Bodies:
-    """Where everybody is and wants to go, in the core's own memory; a row a person.
+    """Positions and goals of everybody in the engine's own memory, one row per person.
 
     ``place, velocity`` (n, 2) m, m/s; ``radius`` m; ``way`` (n, 2) unit direction to the goal, zero to stand, set by
     the core unless ``goal`` is `GIVEN`; ``wants`` m/s, the speed on a free way, and ``own_speed`` what is left of it
@@ -31,7 +31,7 @@ class Bodies:
     one stands; ``avoids`` whether collisions are avoided; ``present`` whether the person is in the world.
     """
 
-    core: Core
+    core: CrowdEngine
     place: Array
     velocity: Array
     way: Array
@@ -52,25 +52,25 @@ class Bodies:
     looks: Mask
 
     def lead(self, place: int, region: Mask) -> None:
-        """Find the ways to a place before anyone goes there, of the cells of its region (rows, cols)."""
+        """Compute the paths to a place, a region of cells (rows, cols), before anyone goes there."""
         self.core.arrays["regions"][place] = region
         self.core.call("lead", place)
 
 
-def bodies_on(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, period_m: float = 0.0) -> Bodies:
-    """Return people standing on a ground at places (n, 2), without goals, in a world with some number of destinations.
+def make_bodies(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, period_m: float = 0.0) -> Bodies:
+    """Return people standing on a ground at points (n, 2), without goals, in a world with some number of destinations.
 
     With a period the world repeats along x: a corridor is a ring.
     """
     rows, cols, reach = ground.near.shape
     counts = {"people": len(place), "rows": rows, "cols": cols, "walls": len(ground.walls), "reach": reach,
               "places": places}  # fmt: skip
-    core = Core(counts, (float(ground.low[0]), float(ground.low[1])), period_m=period_m, seed=seed)
-    return bodies_in(core, ground, place)
+    core = CrowdEngine(counts, (float(ground.low[0]), float(ground.low[1])), period_m=period_m, seed=seed)
+    return engine_bodies(core, ground, place)
 
 
-def bodies_in(core: Core, ground: Ground, place: Array) -> Bodies:
-    """Return the people of a core that has just begun, who stand on its ground at places (n, 2)."""
+def engine_bodies(core: CrowdEngine, ground: Ground, place: Array) -> Bodies:
+    """Return the people of a new engine, who stand on its ground at points (n, 2)."""
     core.arrays["clear"][:], core.arrays["walls"][:] = ground.clear, ground.walls
     core.arrays["near"][:] = ground.near
     core.call("ready")
@@ -84,5 +84,5 @@ def bodies_in(core: Core, ground: Ground, place: Array) -> Bodies:
 
 
 def walk(bodies: Bodies) -> None:
-    """Move everybody by one step of `STEP_S`."""
+    """Advance everybody by one step of `STEP_S`."""
     bodies.core.call("step")

@@ -12,14 +12,14 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.behaviour import dice
-from cloner.behaviour.core.host import Core
-from cloner.behaviour.dice import purpose
+from cloner.behaviour.core.host import CrowdEngine
+from cloner.behaviour.dice import purpose_number
 from cloner.behaviour.feet import IDLE, WALK, Feet
-from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Indices, Mask, ground_of
-from cloner.behaviour.inhabitants import bands_of, people_of
+from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Indices, Mask, make_ground
+from cloner.behaviour.inhabitants import initial_bands, initial_people
 from cloner.behaviour.model import Action, Scenario
-from cloner.behaviour.tables import Names, Tables, names_of, tables_of
-from cloner.behaviour.walking import STEP_S, Bodies, bodies_in
+from cloner.behaviour.tables import Names, Tables, collect_names, make_tables
+from cloner.behaviour.walking import STEP_S, Bodies, engine_bodies
 from cloner.errors import ClonerError
 from cloner.records.arrays import Array
 
@@ -31,7 +31,7 @@ CHANNELS: Final = ("goal", "speed", "posture", "gaze", "avoidance")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Place:
-    """Where one can go: its middle (2,), and the cells (rows, cols) of its region."""
+    """A destination: its centre (2,), and the cells (rows, cols) of its region."""
 
     name: str
     middle: Array
@@ -40,7 +40,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Band:
-    """One group's mind as it is now.
+    """The present state of one group's mind.
 
     ``home`` is its place in the scenario's groups; ``leader`` a person; ``visits`` its goals in turn; ``knows`` the
     places it knows; ``memory`` what its leader perceived last: (time, name); ``follows`` a home, or -1.
@@ -56,7 +56,7 @@ class Band:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class People:
-    """What is true of each person, a row each, in the engine's own memory; feet are in `walking.Bodies`."""
+    """The state of each person's mind, one row each, in the engine's own memory; feet are in `walking.Bodies`."""
 
     band: Indices
     home: Indices
@@ -93,7 +93,7 @@ class World:
     log: list[tuple[int, str, tuple[Any, ...]]] = field(default_factory=list)
 
     @property
-    def core(self) -> Core:
+    def core(self) -> CrowdEngine:
         """The engine."""
         return self.bodies.core
 
@@ -104,7 +104,7 @@ class World:
 
     @property
     def acts(self) -> list[str]:
-        """What postures are called."""
+        """Names of postures."""
         return self.names.acts
 
     @property
@@ -124,7 +124,7 @@ class World:
         return found
 
     def hear(self, name: str, *values: float) -> Any:
-        """Let the engine hear of something from outside, and keep it in the log."""
+        """Report an outside event to the engine, and log it."""
         self.log.append((self.steps, name, values))
         return self.core.call(name, *values)
 
@@ -133,41 +133,39 @@ class World:
         return np.flatnonzero((self.people.band == band) & self.bodies.present)
 
     def of_home(self, home: int) -> Indices:
-        """Return the people of all groups that come from one of the scenario's."""
+        """Return the people of all groups that originate from one of the scenario's."""
         homes = self.core.arrays["band_home"][self.people.band]
         return np.flatnonzero((homes == home) & self.bodies.present)
 
     def distances(self, place: int) -> Array:
-        """Return the walking distance (rows, cols) of each cell from a place's region, metres; inf where there is no
-        way.
-        """
+        """Return the walking distance (rows, cols) of each cell from a place's region, metres; inf if unreachable."""
         self.core.call("lead", place)
         return np.array(self.core.arrays["distance"])
 
 
-def world_of(scenario: Scenario, seed: int = 0, feet: Feet | None = None) -> World:
-    """Return the world of a checked scenario at its beginning; with feet it tells footings too (`feet.taken`).
+def make_world(scenario: Scenario, seed: int = 0, feet: Feet | None = None) -> World:
+    """Return the initial world of a valid scenario; with feet it reports footings too (`feet.take_footings`).
 
     Raises
     ------
     ClonerError
         If a point cannot be stood at or reached, or the people do not fit.
     """
-    ground = ground_of([np.array(one.corners) for one in scenario.floors],
+    ground = make_ground([np.array(one.corners) for one in scenario.floors],
                        [np.array(one.corners) for one in scenario.obstacles])  # fmt: skip
-    names = names_of(scenario, feet.still if feet else ())
-    tables = tables_of(scenario, names, ground)
+    names = collect_names(scenario, feet.still if feet else ())
+    tables = make_tables(scenario, names, ground)
     for point, region in zip(scenario.points, tables["regions"], strict=True):
         if not region.any():
             raise ClonerError(f"nobody can stand at {point.name}", "Move its region onto the floor", point.name)
     count = scenario.people()
-    people = people_of(scenario, seed, count)
-    bands = bands_of(scenario, names, people, seed)
+    people = initial_people(scenario, seed, count)
+    bands = initial_bands(scenario, names, people, seed)
     counts = _counts(ground, tables | people | bands, count)
     if feet:
         counts |= {**feet.counts(), "acts": len(names.acts)}
-    core = Core(counts, _xy(ground.low), seed=seed)
-    bodies = bodies_in(core, ground, np.zeros((count, 2)))
+    core = CrowdEngine(counts, _xy(ground.low), seed=seed)
+    bodies = engine_bodies(core, ground, np.zeros((count, 2)))
     for name, rows in (tables | people | bands).items():
         core.arrays[name][: len(rows)] = rows
     core.arrays["ends"][:] = np.inf
@@ -183,10 +181,10 @@ def world_of(scenario: Scenario, seed: int = 0, feet: Feet | None = None) -> Wor
     own = People(**{name: core.arrays[name] for name in People.__slots__})
     orders = dict(zip(CHANNELS, core.arrays["orders"], strict=True))
     world = World(scenario, seed, ground, bodies, own, names, places, orders)
-    bodies.place[:] = bodies.target[:] = _begin_at(world)
+    bodies.place[:] = bodies.target[:] = _starting_places(world)
     bodies.spotted[:] = True
     bodies.present[:] = ~np.array([group.outside for group in scenario.groups])[own.home]
-    angle = dice.uniform(seed, purpose("facing"), np.arange(count))
+    angle = dice.uniform(seed, purpose_number("facing"), np.arange(count))
     bodies.facing[:, 0] = 2.0 * angle - 1.0
     bodies.facing[:, 1] = np.where(angle < 0.5, 1.0, -1.0) * np.sqrt(1.0 - (2.0 * angle - 1.0) ** 2)
     return world
@@ -212,8 +210,8 @@ def _counts(ground: Ground, tables: Tables, people: int) -> dict[str, int]:
     }  # fmt: skip
 
 
-def _begin_at(world: World) -> Array:
-    """Return each person's starting place: in the requested region, else anywhere, without duplicates."""
+def _starting_places(world: World) -> Array:
+    """Return each person's starting point: in the requested region, else anywhere, without duplicates."""
     scenario, ground, seed = world.scenario, world.ground, world.seed
     wide = int(np.ceil(2.5 * BODY_M / CELL_M))
     stands = ground.clear >= BODY_M
@@ -229,14 +227,14 @@ def _begin_at(world: World) -> Array:
         row, column = np.nonzero(free)
         if len(row) < len(members):
             raise ClonerError(f"{group.people} people of {group.name} do not fit", "Make the floor larger", group.name)
-        pick = dice.order(seed, purpose("begin", number), np.arange(len(row)))[: len(members)]
+        pick = dice.shuffled(seed, purpose_number("begin", number), np.arange(len(row)))[: len(members)]
         found[members] = ground.middles(row[pick], column[pick])
         taken[row[pick], column[pick]] = True
     return found
 
 
 def _nearest_cells(distance: Array, free: Mask, count: int) -> Mask:
-    """Return the cells of a place's region, and as many around it as are needed, of their distances."""
+    """Return the cells of a place's region, and as many around it as are needed, given their distances."""
     distance = np.where(free, distance, np.inf)
     enough = np.sort(distance.ravel())[min(count, distance.size) - 1]
     return np.asarray(np.isfinite(distance) & (distance <= max(float(enough), 0.0)))

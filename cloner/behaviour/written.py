@@ -9,14 +9,14 @@ from typing import Final
 
 import numpy as np
 
-from cloner.behaviour.guiding import HOST, Desk, guided, listening
+from cloner.behaviour.guiding import HOST, RequestQueue, guided_steps, serve_guides
 from cloner.behaviour.language import read_scenario
 from cloner.behaviour.loop import digest, run
 from cloner.behaviour.model import Scenario
 from cloner.behaviour.plan import Plan
 from cloner.behaviour.trajectories import Recorder, Trajectories, pack
 from cloner.behaviour.walking import RATE_HZ
-from cloner.behaviour.world import World, world_of
+from cloner.behaviour.world import World, make_world
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.pipeline import Progress, no_progress
@@ -36,8 +36,8 @@ def check_file(path: Path) -> list[str]:
         If it cannot be run: what it says, or a point that cannot be reached.
     """
     scenario = read_scenario(path)
-    world = world_of(scenario)
-    _check_ways(world, path.name)
+    world = make_world(scenario)
+    _check_reachable(world, path.name)
     floor = float((world.ground.clear > 0.0).sum()) * 0.04
     points = ", ".join(f"{one.name}{f' ({one.act})' if one.act else ''}" for one in scenario.points) or "none"
     lines = [
@@ -53,7 +53,7 @@ def check_file(path: Path) -> list[str]:
     return lines
 
 
-def _check_ways(world: World, where: str) -> None:
+def _check_reachable(world: World, where: str) -> None:
     """Refuse a scenario in which somebody cannot reach a requested place."""
     row, column = world.ground.cells(world.bodies.place)
     names = [one.name for one in world.places]
@@ -104,7 +104,7 @@ def run_file(
 def guide_file(
     path: Path, out: Path, *, seconds: float, seed: int = 0, port: int = 0, told: Callable[[str], None],
 ) -> list[str]:  # fmt: skip
-    """Run a scenario by the clock while other programs guide it, and write trajectories; return what to say of it.
+    """Run a scenario in real time while other programs guide it, and write trajectories; return a report.
 
     ``told`` gets the address and the token before the first step.
 
@@ -114,14 +114,14 @@ def guide_file(
         As :func:`run_file`, and if no guide can be let in.
     """
     world = _ready(path, out, seconds, seed)
-    desk, recorder = Desk(), Recorder()
-    recorder.look(world)
-    with listening(desk, port) as found:
+    desk, recorder = RequestQueue(), Recorder()
+    recorder.record(world)
+    with serve_guides(desk, port) as found:
         told(f"ws://{HOST}:{found}")
         told(f"token {desk.token}")
-        for now in guided(world, desk, seconds):
-            recorder.look(now)
-    walk = recorder.done(world)
+        for now in guided_steps(world, desk, seconds):
+            recorder.record(now)
+    walk = recorder.trajectories(world)
     write_bytes(out, pack(walk))
     lines = [f"{when:.1f} s: {text}" for when, text in walk.told]
     return [*lines, f"{len(walk.groups)} people, {world.time_s:g} s", str(out)]
@@ -132,20 +132,20 @@ def _ready(path: Path, out: Path, seconds: float, seed: int) -> World:
     if not (math.isfinite(seconds) and 0.0 < seconds <= LONGEST_S):
         raise ClonerError(f"{seconds:g} seconds cannot be run", "Give more than 0 and at most a day", "--seconds")
     safe_output(out)
-    world = world_of(read_scenario(path), seed)
-    _check_ways(world, path.name)
+    world = make_world(read_scenario(path), seed)
+    _check_reachable(world, path.name)
     return world
 
 
 def recorded(world: World, seconds: float, progress: Progress = no_progress) -> Trajectories:
     """Return the trajectories of a world over some seconds."""
     recorder = Recorder()
-    recorder.look(world)
+    recorder.record(world)
     for now in run(world, seconds):
-        recorder.look(now)
+        recorder.record(now)
         if now.steps % 100 == 0:
             progress("walking", min(now.time_s / seconds, 1.0))
-    return recorder.done(world)
+    return recorder.trajectories(world)
 
 
 def draw_files(scenario: Scenario, walk: Trajectories, picture: Path | None, film: Path | None) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from cloner.acting.written import RoomParts, bake_file, things_of
+from cloner.acting.written import RoomParts, bake_file, thing_names
 from cloner.behaviour.trajectories import Trajectories
 from cloner.crowd.packs.files import packed, webp
 from cloner.crowd.packs.reading import read_facts, read_stock
@@ -64,7 +64,7 @@ def build_folder(
 
 def scenario_blocks(plan: Plan, walk: Path) -> tuple[Block, ...]:
     """Return the blocks of a plan that stand for a scenario's things."""
-    names = things_of(walk)
+    names = thing_names(walk)
     return tuple(one for one in plan.blocks if one.name in names and not one.pillar)
 
 

@@ -18,9 +18,9 @@ import numpy as np
 from PIL import features
 
 from cloner.behaviour.guiding import read_message
-from cloner.behaviour.language import read_actions, read_scenario, read_text
+from cloner.behaviour.language import parse_actions, parse_scenario, read_scenario
 from cloner.behaviour.trajectories import pack, read_trajectories
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import make_world
 from cloner.behaviour.written import recorded
 from cloner.booth.events.event import Event, read_event, write_event
 from cloner.booth.events.recent import recent_events
@@ -241,10 +241,10 @@ def crowd_bytes() -> bytes:
 
 def walk_bytes() -> bytes:
     """Return what two people did in a second."""
-    scenario = read_text(
+    scenario = parse_scenario(
         "floor 0, 0 to 9, 9\nobstacle box at 4, 4 size 1 x 1\nthing vase at 4, 4\ncrowd 2 guests: wanders\n"
     )
-    return pack(recorded(world_of(scenario), 1.0))
+    return pack(recorded(make_world(scenario), 1.0))
 
 
 PLAN = b"""name = "hall"
@@ -317,7 +317,7 @@ group school: 4 people, starts at east
 crowd 6 guests: wanders
 at 3 s: school goes to west
 """
-_SCHOOL = read_text("floor 0, 0 to 9, 9\npoint west at 2, 6\ngroup school: 4 people, starts at west\n")
+_SCHOOL = parse_scenario("floor 0, 0 to 9, 9\npoint west at 2, 6\ngroup school: 4 people, starts at west\n")
 
 
 FABRIC = (files("cloner.cloth.simulation") / "fabrics" / "wool.toml").read_bytes()
@@ -331,7 +331,7 @@ def _wish(path: Path) -> None:
     except ValueError:
         return
     if said.get("do") == "order":
-        read_actions(str(said.get("text", "")), _SCHOOL)
+        parse_actions(str(said.get("text", "")), _SCHOOL)
 
 
 def _folded(name: str, read: Callable[[Path], Any]) -> Callable[[Path], Any]:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from cloner.behaviour.beginning import beginning
+from cloner.behaviour.beginning import initial_state
 from cloner.behaviour.core.host import MODULE
 from cloner.behaviour.world import World
 
@@ -19,7 +19,7 @@ SCRIPTS = (WEB / "engine.js", Path(__file__).with_name("engine_player.js"))
 
 def log_of(world: World, steps: int, every: int, orders: Sequence[tuple[int, Sequence[float]]] = ()) -> str:
     """Return a world that has made no step as JSON, with orders (step, row) and how often a player keeps the places."""
-    told, tables = beginning(world)
+    told, tables = initial_state(world)
     return json.dumps({
         "module": base64.b64encode(MODULE.read_bytes()).decode(), "told": told, "steps": steps, "every": every,
         "orders": [[at, list(row)] for at, row in orders],

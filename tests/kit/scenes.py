@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.behaviour.language import read_text
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import step
-from cloner.behaviour.world import World, world_of
+from cloner.behaviour.world import World, make_world
 
 HALL = """floor 0, 0 to 24, 8
 statue lion at 12, 7.6
@@ -18,7 +18,7 @@ point east at 22, 4 region 3 x 6
 
 def scene(text: str, seed: int = 1) -> World:
     """Return the world of the hall with more lines."""
-    return world_of(read_text(HALL + text), seed)
+    return make_world(parse_scenario(HALL + text), seed)
 
 
 def pass_time(world: World, seconds: float) -> None:

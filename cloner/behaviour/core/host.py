@@ -60,7 +60,7 @@ ARRAYS: Final[tuple[tuple[str, str, tuple[str | int, ...]], ...]] = (
 _CELL_BYTES, _PERSON_BYTES, _FRAME_BYTES = 292, 460, 32
 
 
-class Core(Instance):
+class CrowdEngine(Instance):
     """One instance of the module: one world.
 
     Parameters
@@ -91,7 +91,7 @@ class Core(Instance):
     ) -> None:
         counted = [int(counts.get(name, 0)) for name in COUNTS]
         self.begun = {"counts": counted, "low": list(low), "period_m": period_m, "seed": str(seed)}
-        shapes = shapes_of(counts)
+        shapes = array_shapes(counts)
         cells = counts["rows"] * counts["cols"]
         frames = counts.get("frames", 0) * counts["people"] * _FRAME_BYTES
         if bytes_of(shapes) + frames + cells * _CELL_BYTES + counts["people"] * _PERSON_BYTES > LARGEST_BYTES:
@@ -102,12 +102,12 @@ class Core(Instance):
         missing = ClonerError("there is not memory enough for the crowd", "Close other programs", "crowd")
         super().__init__(MODULE, counted, shapes, (*low, period_m, seed), missing)
 
-    def kept(self) -> bytes:
-        """Return all that changes: another host that began with the same counts and ground can go on from it."""
+    def memory(self) -> bytes:
+        """Return the whole state: another host with the same counts and ground can continue from it."""
         return self.read(self.call("keep"))
 
 
-def shapes_of(counts: Mapping[str, int]) -> dict[str, Shape]:
+def array_shapes(counts: Mapping[str, int]) -> dict[str, Shape]:
     """Return type and shape of each of `ARRAYS` for the given counts."""
     known = {name: counts.get(name, 0) for name in COUNTS}
     known |= {f"{name}+": known[name] + 1 for name in ("homes", "emotions", "places")}

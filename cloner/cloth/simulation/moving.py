@@ -105,7 +105,7 @@ class WornGarment:
     def after(
         self, state: State, before: Colliders, now: Colliders, *, settles: bool = False, lead: LoopTarget | None = None
     ) -> State:
-        """Return the cloth's state a frame later; while it settles there is neither inertia limit nor wind."""
+        """Return the cloth's state a frame later; while it settles, speeds are limited and there is no wind."""
         skin = skin_interval(self.body, before.skin_m, now.skin_m)
         wind = np.array([0.0, 0.0, 0.0 if settles else -self.speed_m_s])
         held = (before.held_m, now.held_m)

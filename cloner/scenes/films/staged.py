@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from cloner.acting.tracks import Track, feet_of, footings_on
+from cloner.acting.tracks import Track, footings_on_tracks, make_feet
 from cloner.crowd.clones.stock import CrowdArrays
 from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Mulberry32
@@ -69,8 +69,8 @@ def compile_film(
         track = _track(film, who, actor, names, speeds[clone], tracks)
         tracks.append(track)
         rows[who, 1], rows[who, 2, :3], rows[who, 3] = (0.0, dice.roll(), clone, 1.0), clone, -1.0
-    feet = feet_of(touches, clips, rows[: len(film.actors)], people[0]["clips"])
-    found = footings_on(tracks, feet, progress)
+    feet = make_feet(touches, clips, rows[: len(film.actors)], people[0]["clips"])
+    found = footings_on_tracks(tracks, feet, progress)
     for k, body in enumerate(heads):
         rows[len(film.actors) + k] = rows[body]
         found.append(found[body][:1].copy())

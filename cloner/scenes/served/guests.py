@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.behaviour.guests import free_guest, leave, receive
+from cloner.behaviour.guests import find_free_guest, move_guest, remove_guest
 from cloner.behaviour.world import World
 
 #: X and Z in the page's frame, metres, and the heading of the eye.
@@ -25,12 +25,12 @@ class PageGuests:
         """Move the guest of a page to a place, or remove it (None); return the guest's number, -1 if none is free."""
         who, _ = self._pages.pop(page, (-1, 0.0))
         if place is None:
-            leave(world, who)
+            remove_guest(world, who)
             return -1
-        who = free_guest(world) if who < 0 else who
+        who = find_free_guest(world) if who < 0 else who
         if who >= 0:
             x, z, heading = place
-            receive(world, who, (x, -z), (float(np.sin(heading)), -float(np.cos(heading))))
+            move_guest(world, who, (x, -z), (float(np.sin(heading)), -float(np.cos(heading))))
             self._pages[page] = (who, now)
         return who
 

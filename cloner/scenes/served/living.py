@@ -19,8 +19,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.beginning import begun
-from cloner.behaviour.language import read_text
+from cloner.behaviour.beginning import engine_layout
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import guide
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.people import Found
@@ -99,7 +99,7 @@ class RunningScene:
         self._turn = threading.Condition()  # whoever touches what pages are told: nobody thinks meanwhile
         try:
             told = self.facts["scenario"]
-            self._scenario, self._seed = read_text(str(told["text"]), "the scene's scenario"), int(told["seed"])
+            self._scenario, self._seed = parse_scenario(str(told["text"]), "the scene's scenario"), int(told["seed"])
             if MINDS_FILE not in self.facts["files"]:
                 raise ValueError("an older version's")
         except (LookupError, TypeError, ValueError) as error:
@@ -132,8 +132,8 @@ class RunningScene:
         new, world = self._minds.go_on(0.0), self._minds.world
         with self._turn:
             self._begun, self._shown_s = time.monotonic(), 0.0
-            self._engine = begun(world)
-            self._kept = world.steps, world.core.kept()
+            self._engine = engine_layout(world)
+            self._kept = world.steps, world.core.memory()
             self._ways: dict[int, NDArray[np.float32]] = new
             self._awake: list[tuple[str, float]] = []
             for one in self._there.values():
@@ -162,7 +162,7 @@ class RunningScene:
                 kept = kept[(kept[:, UNTIL] > self._shown_s - PAST_S) & (kept[:, FROM] < rows[0, FROM])]
                 self._ways[who] = np.concatenate([kept, rows])
             world = self._minds.world
-            self._kept, log = (world.steps, world.core.kept()), [[at, name, *own] for at, name, own in world.log]
+            self._kept, log = (world.steps, world.core.memory()), [[at, name, *own] for at, name, own in world.log]
             world.log.clear()
             same = world.core.call("sum") & 0xFFFFFFFF
             self._tell("steps", {"now": self.now(), "until": world.steps, "log": log, "sum": same})

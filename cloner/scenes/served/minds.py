@@ -14,14 +14,14 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.acting.tracks import feet_of
-from cloner.behaviour.feet import SEEN_S, Feet, taken
-from cloner.behaviour.guests import guests
+from cloner.acting.tracks import make_feet
+from cloner.behaviour.feet import SEEN_S, Feet, take_footings
+from cloner.behaviour.guests import guest_count
 from cloner.behaviour.loop import run
 from cloner.behaviour.model import Scenario
 from cloner.behaviour.trajectories import STEPS
 from cloner.behaviour.walking import RATE_HZ
-from cloner.behaviour.world import World, world_of
+from cloner.behaviour.world import World, make_world
 from cloner.crowd.staged.footing import Acted
 from cloner.errors import ClonerError
 from cloner.records.arrays import Array
@@ -65,7 +65,7 @@ class RunningScenario:
             if now.steps % STEPS == 0:
                 self._watch()
         self.world.core.call("stride", self.world.time_s - SEEN_S)
-        return taken(self.world.core)
+        return take_footings(self.world.core)
 
     def farthest_walker(self, taken: frozenset[int]) -> int:
         """Return who walks farthest at present, of those whose part is not taken.
@@ -111,7 +111,7 @@ class RunningScenario:
 
     def over(self) -> bool:
         """Return whether nobody is left except guests."""
-        return int(self.world.bodies.present.sum()) == guests(self.world)
+        return int(self.world.bodies.present.sum()) == guest_count(self.world)
 
     def _watch(self) -> None:
         self.world.core.call("watch")
@@ -124,7 +124,7 @@ def start_scenario(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[
     Parameters
     ----------
     scenario, seed
-        As of :func:`cloner.behaviour.world.world_of`.
+        As of :func:`cloner.behaviour.world.make_world`.
     acted : Acted
         What the pack acts: its first people are the scenario's.
     clips : rows of the clones' clips in ``crowd.json``
@@ -132,9 +132,9 @@ def start_scenario(scenario: Scenario, seed: int, acted: Acted, clips: Sequence[
     Raises
     ------
     ClonerError
-        If the pack has fewer people, or as of :func:`cloner.behaviour.world.world_of`.
+        If the pack has fewer people, or as of :func:`cloner.behaviour.world.make_world`.
     """
     if scenario.people() > len(acted.people):
         raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", "scene")
-    feet = feet_of(acted.touches, acted.clips, acted.people[: scenario.people()], clips, spare=SPARE)
-    return RunningScenario(world_of(scenario, seed, feet), feet)
+    feet = make_feet(acted.touches, acted.clips, acted.people[: scenario.people()], clips, spare=SPARE)
+    return RunningScenario(make_world(scenario, seed, feet), feet)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.acting.blocks import COUNTER_M, PILLAR_M, PLINTH_M, THING_M, blocks_of
+from cloner.acting.blocks import COUNTER_M, PILLAR_M, PLINTH_M, THING_M, obstacle_blocks
 
 SQUARE = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 BENT = ((0.0, 0.0), (4.0, 0.0), (4.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0))
@@ -16,17 +16,17 @@ def heights(blocks: np.ndarray) -> float:
 
 
 def test_heights_tell_plinths_pillars_and_counters() -> None:
-    assert heights(blocks_of([SQUARE], [])) == PILLAR_M
-    assert heights(blocks_of([BENT], [])) == COUNTER_M
-    assert heights(blocks_of([SQUARE], [(0.5, 0.5)])) == pytest.approx(PLINTH_M + THING_M)
-    assert heights(blocks_of([], [(0.5, 0.5)])) == pytest.approx(THING_M)
-    assert blocks_of([], []).shape == (0, 6)
+    assert heights(obstacle_blocks([SQUARE], [])) == PILLAR_M
+    assert heights(obstacle_blocks([BENT], [])) == COUNTER_M
+    assert heights(obstacle_blocks([SQUARE], [(0.5, 0.5)])) == pytest.approx(PLINTH_M + THING_M)
+    assert heights(obstacle_blocks([], [(0.5, 0.5)])) == pytest.approx(THING_M)
+    assert obstacle_blocks([], []).shape == (0, 6)
 
 
 @pytest.mark.parametrize("corners", [SQUARE, BENT, BENT[::-1], tuple(reversed(SQUARE))])
 def test_a_block_is_closed_and_looks_outwards(corners: tuple[tuple[float, float], ...]) -> None:
     """The volume under its triangles, by the divergence of x, is the plan's area times its height."""
-    blocks = blocks_of([corners], []).astype(float)
+    blocks = obstacle_blocks([corners], []).astype(float)
     high = heights(blocks)
     triangles = blocks[:, :3].reshape(-1, 3, 3)
     facing = blocks[:, 3:].reshape(-1, 3, 3)[:, 0]

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.acting.going_on import welcoming
+from cloner.acting.going_on import with_guest
 from cloner.acting.written import bake_file
-from cloner.behaviour.language import read_text
+from cloner.behaviour.language import parse_scenario
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import GONE, rows_at
@@ -136,7 +136,7 @@ def test_a_scene_that_has_come_to_rest_begins_anew_but_not_before_a_visitors_eye
 
 def test_a_scenario_without_guests_gets_one_and_no_name_twice() -> None:
     text = "floor 0, 0 to 8, 6\ngroup visitor: 2 people"
-    groups = read_text(welcoming(text)).groups
+    groups = parse_scenario(with_guest(text)).groups
     assert [(one.name, one.people, one.outside) for one in groups][1:] == [("visitor_", 1, True)]
     known = text + "\ncrowd 3 friends: from outside\n"
-    assert welcoming(known) == known
+    assert with_guest(known) == known

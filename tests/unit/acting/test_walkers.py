@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.acting.tracks import Track, footings_on
+from cloner.acting.tracks import Track, footings_on_tracks
 from cloner.behaviour.feet import Feet
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.footing import CLIP, COLUMNS, FIRST, LAST, OTHER, Acted, fits, rows_at, touches_of
@@ -43,7 +43,7 @@ class Stage:
         row[0, 1], row[0, 3] = (0.0, 0.0, clone, scale), -1.0
         run = self.names.index("run")
         feet = Feet(self.touches, self.clips, np.array([clone]), np.array([scale]), np.array([0.3]), {}, {}, run)
-        (own,) = footings_on([track], feet)
+        (own,) = footings_on_tracks([track], feet)
         return Acted(own, np.array([0, len(own)], np.uint32), row, self.touches, self.clips)
 
 

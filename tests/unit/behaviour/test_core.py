@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 from cloner.behaviour import dice
-from cloner.behaviour.core.host import MODULE, Core
-from cloner.behaviour.ground import box, ground_of
-from cloner.behaviour.language import read_actions, read_text
+from cloner.behaviour.core.host import MODULE, CrowdEngine
+from cloner.behaviour.ground import make_ground, rectangle
+from cloner.behaviour.language import parse_actions, parse_scenario
 from cloner.behaviour.loop import digest, guide, step
-from cloner.behaviour.walking import GIVEN, bodies_on, walk
-from cloner.behaviour.world import world_of
+from cloner.behaviour.walking import GIVEN, make_bodies, walk
+from cloner.behaviour.world import make_world
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
 from kit.engine_log import in_node, kept_places, log_of, page
@@ -80,10 +80,10 @@ ORDERS = {
 def played(request: pytest.FixtureRequest) -> tuple[str, list[bytes], str]:
     """Give the log of a scenario of 10,000 steps, its places at every thousandth, and the digest."""
     busy = request.param == "bodies"
-    world = world_of(read_text(BUSY if busy else MINDS), 7)
+    world = make_world(parse_scenario(BUSY if busy else MINDS), 7)
     texts = {} if busy else ORDERS
     rows = [(at, (*world.names.row_of(one), one.seconds)) for at, text in texts.items()
-            for one in read_actions(text, world.scenario)]  # fmt: skip
+            for one in parse_actions(text, world.scenario)]  # fmt: skip
     log, kept = log_of(world, STEPS, EVERY, rows), []
     for number in range(STEPS):
         if number in texts:
@@ -134,15 +134,15 @@ def test_the_numbers_of_purposes_are_those_of_their_names() -> None:
     text = (MODULE.parent / "dice.ts").read_text(encoding="utf-8")
     told = re.findall(r"([A-Z]+): u64 = (0x[0-9a-f]{8})[,;]", text)
     assert len(told) == 14
-    assert all(dice.purpose(name.lower()) >> 32 == int(number, 16) for name, number in told)
+    assert all(dice.purpose_number(name.lower()) >> 32 == int(number, 16) for name, number in told)
 
 
 def test_the_way_of_a_ring_and_of_a_plane_are_one_where_nobody_crosses_the_seam() -> None:
-    ground = ground_of([box((20, 4), (60, 8))])
+    ground = make_ground([rectangle((20, 4), (60, 8))])
     place = np.stack([10 + 12 * dice.uniform(1, 1, np.arange(40)), 1 + 6 * dice.uniform(1, 2, np.arange(40))], axis=1)
     found = []
     for period_m in (0.0, 200.0):
-        bodies = bodies_on(ground, place, period_m=period_m)
+        bodies = make_bodies(ground, place, period_m=period_m)
         bodies.goal[:], bodies.way[:], bodies.wants[:] = GIVEN, (1.0, 0.0), 1.3
         for _ in range(60):
             walk(bodies)
@@ -151,7 +151,7 @@ def test_the_way_of_a_ring_and_of_a_plane_are_one_where_nobody_crosses_the_seam(
 
 
 def test_rows_outlive_their_world() -> None:
-    bodies = bodies_on(ground_of([box((5, 5), (10, 10))]), np.array([[3.0, 4.0]]))
+    bodies = make_bodies(make_ground([rectangle((5, 5), (10, 10))]), np.array([[3.0, 4.0]]))
     place = bodies.place
     del bodies
     assert place.tolist() == [[3.0, 4.0]]
@@ -159,4 +159,4 @@ def test_rows_outlive_their_world() -> None:
 
 def test_a_world_larger_than_a_module_can_hold_is_a_sentence() -> None:
     with pytest.raises(ClonerError, match="too large for so many points"):
-        Core({"people": 1, "places": 60, "walls": 4, "rows": 2000, "cols": 2000, "reach": 2}, (0.0, 0.0))
+        CrowdEngine({"people": 1, "places": 60, "walls": 4, "rows": 2000, "cols": 2000, "reach": 2}, (0.0, 0.0))

@@ -19,11 +19,19 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from cloner.behaviour import guiding
-from cloner.behaviour.guiding import HOST, LONGEST_BYTES, MOST_GUIDES, NOT_ALLOWED, Desk, guided, listening
-from cloner.behaviour.language import read_text
+from cloner.behaviour.guiding import (
+    HOST,
+    LONGEST_BYTES,
+    MOST_GUIDES,
+    NOT_ALLOWED,
+    RequestQueue,
+    guided_steps,
+    serve_guides,
+)
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.trajectories import read_trajectories
 from cloner.behaviour.walking import STEP_S
-from cloner.behaviour.world import World, world_of
+from cloner.behaviour.world import World, make_world
 from cloner.behaviour.written import guide_file
 from cloner.errors import ClonerError
 
@@ -36,7 +44,7 @@ group school: 4 people, starts at east
 
 @pytest.fixture
 def world() -> World:
-    return world_of(read_text(TEXT, "hall"), 3)
+    return make_world(parse_scenario(TEXT, "hall"), 3)
 
 
 def asked(guest: ClientConnection, **message: object) -> dict:
@@ -45,7 +53,7 @@ def asked(guest: ClientConnection, **message: object) -> dict:
 
 
 @contextmanager
-def entered(desk: Desk, port: int) -> Iterator[ClientConnection]:
+def entered(desk: RequestQueue, port: int) -> Iterator[ClientConnection]:
     with connect(f"ws://{HOST}:{port}", compression=None) as guest:
         assert asked(guest, token=desk.token) == {"welcome": True}
         yield guest
@@ -54,13 +62,13 @@ def entered(desk: Desk, port: int) -> Iterator[ClientConnection]:
 @pytest.fixture
 def running(world):
     """A world that runs a hundred times faster than the clock until a guide ends it: desk, port, the loop's thread."""
-    desk = Desk()
+    desk = RequestQueue()
 
     def walk() -> None:
-        for _ in guided(world, desk, 1e4, pace=lambda _: time.sleep(STEP_S / 100.0)):
+        for _ in guided_steps(world, desk, 1e4, pace=lambda _: time.sleep(STEP_S / 100.0)):
             pass
 
-    with listening(desk) as port:
+    with serve_guides(desk) as port:
         loop = threading.Thread(target=walk, daemon=True)
         loop.start()
         yield desk, port, loop
@@ -134,9 +142,9 @@ def test_a_port_that_is_taken_is_said(world) -> None:
     with socket.socket() as taken:
         taken.bind((HOST, 0))
         taken.listen()
-        with pytest.raises(ClonerError, match="cannot be had"), listening(Desk(), taken.getsockname()[1]):
+        with pytest.raises(ClonerError, match="cannot be had"), serve_guides(RequestQueue(), taken.getsockname()[1]):
             pass
-    with pytest.raises(ClonerError, match="cannot be had"), listening(Desk(), 99999):
+    with pytest.raises(ClonerError, match="cannot be had"), serve_guides(RequestQueue(), 99999):
         pass
 
 
@@ -163,24 +171,24 @@ def test_the_walk_is_written_at_the_end(tmp_path: Path) -> None:
 
 
 def test_who_ends_it_hears_so_however_late_the_answer_leaves(world, monkeypatch: pytest.MonkeyPatch) -> None:
-    asked_at_once = guiding._asked
+    asked_at_once = guiding._forward
 
-    def late(desk: Desk, said: str | bytes) -> dict:
+    def late(desk: RequestQueue, said: str | bytes) -> dict:
         answer = asked_at_once(desk, said)
         threading.Event().wait(0.5)
         return answer
 
-    monkeypatch.setattr(guiding, "_asked", late)
-    desk, answers = Desk(), []
+    monkeypatch.setattr(guiding, "_forward", late)
+    desk, answers = RequestQueue(), []
 
     def end(port: int) -> None:
         with entered(desk, port) as guest:
             answers.append(asked(guest, do="end"))
 
-    with listening(desk) as port:
+    with serve_guides(desk) as port:
         guide = threading.Thread(target=end, args=(port,), daemon=True)
         guide.start()
-        for _ in guided(world, desk, 1e4, pace=lambda _: time.sleep(STEP_S / 100.0)):
+        for _ in guided_steps(world, desk, 1e4, pace=lambda _: time.sleep(STEP_S / 100.0)):
             pass
     guide.join(10.0)
     assert answers

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from cloner.behaviour.checking import checked
-from cloner.behaviour.language import read_actions, read_scenario, read_text
+from cloner.behaviour.checking import check_scenario
+from cloner.behaviour.language import parse_actions, parse_scenario, read_scenario
 from cloner.behaviour.model import Action, Feeling, Follows, Group, Point, Rule, Scenario, Shape, Thing, When, Who
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import make_world
 from cloner.errors import ClonerError
 
 MUSEUM = Path(__file__).resolve().parents[3] / "samples" / "museum.crowd"
@@ -22,7 +22,7 @@ statue cat at 8, 5
 
 def sentence(text: str) -> str:
     with pytest.raises(ClonerError) as caught:
-        read_text(text, "a.crowd")
+        parse_scenario(text, "a.crowd")
     return str(caught.value)
 
 
@@ -66,7 +66,7 @@ def test_text_and_python_are_equal() -> None:
             ),
         ),
     )
-    assert read_text(text) == checked(made)
+    assert parse_scenario(text) == check_scenario(made)
 
 
 @pytest.mark.parametrize(
@@ -122,22 +122,22 @@ def test_nobody_and_too_many(text: str, words: str) -> None:
 
 def test_people_that_do_not_fit_and_places_on_no_floor() -> None:
     with pytest.raises(ClonerError, match="do not fit"):
-        world_of(read_text("floor 0, 0 to 3, 3\ncrowd 90 all\n"))
+        make_world(parse_scenario("floor 0, 0 to 3, 3\ncrowd 90 all\n"))
     with pytest.raises(ClonerError, match="nobody can stand at moon"):
-        world_of(read_text("floor 0, 0 to 3, 3\npoint moon at 20, 20\ncrowd 2 all\n"))
+        make_world(parse_scenario("floor 0, 0 to 3, 3\npoint moon at 20, 20\ncrowd 2 all\n"))
     with pytest.raises(ClonerError, match="nobody fits"):
-        world_of(read_text("floor 0, 0 to 3, 0.3\ncrowd 1 all\n"))
+        make_world(parse_scenario("floor 0, 0 to 3, 0.3\ncrowd 1 all\n"))
 
 
 def test_orders_are_lines_of_the_same_language() -> None:
     scenario = read_scenario(MUSEUM)
-    assert read_actions("school goes to door, split school into 2", scenario) == (
+    assert parse_actions("school goes to door, split school into 2", scenario) == (
         Action("go", Who("name", "school"), "door"), Action("split", Who("name", "school"), count=2)
     )  # fmt: skip
     with pytest.raises(
         ClonerError, match=r"order, line 1, column 16: there is no point called dor\. Did you mean door"
     ):
-        read_actions("school goes to dor", scenario)
+        parse_actions("school goes to dor", scenario)
 
 
 def test_a_scenario_that_is_none(tmp_path: Path) -> None:

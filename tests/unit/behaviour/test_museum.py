@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.behaviour.language import read_text
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import digest, run
 from cloner.behaviour.model import Scenario
 from cloner.behaviour.plan import FLOOR, OBSTACLE, Plan
 from cloner.behaviour.trajectories import UNIT_M, Trajectories, pack, read_trajectories, unpack
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import make_world
 from cloner.behaviour.written import check_file, recorded, run_file
 from cloner.errors import ClonerError
 
@@ -31,8 +31,8 @@ def short_text() -> str:
 
 @pytest.fixture(scope="module")
 def small() -> tuple[Scenario, Trajectories]:
-    scenario = read_text(short_text())
-    return scenario, recorded(world_of(scenario, 3), OUT_S)
+    scenario = parse_scenario(short_text())
+    return scenario, recorded(make_world(scenario, 3), OUT_S)
 
 
 def test_the_statue_drives_everybody_out(small: tuple[Scenario, Trajectories]) -> None:
@@ -84,10 +84,10 @@ def test_the_plan_shows_floor_obstacles_and_people(small: tuple[Scenario, Trajec
 
 
 def test_the_same_seed_gives_the_same_steps_and_another_others() -> None:
-    scenario = read_text(short_text())
+    scenario = parse_scenario(short_text())
     found = []
     for seed in (1, 1, 2):
-        world = world_of(scenario, seed)
+        world = make_world(scenario, seed)
         for _ in run(world, 6.0):
             pass
         found.append(digest(world))

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.behaviour.language import read_text
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import guide, step
 from cloner.behaviour.tables import APART_M, PHASES
-from cloner.behaviour.world import world_of
+from cloner.behaviour.world import make_world
 from kit.scenes import gathered, goals, of, pass_time, scene
 
 
@@ -206,7 +206,7 @@ def bent(floor: str) -> tuple[np.ndarray, np.ndarray]:
     """Return how far six people who went from one place to one spot were aside of the straight line at most."""
     ways = []
     for seed in range(1, 7):
-        world = world_of(read_text(f"{floor}\npoint end at 11, 4\ngroup one: 1 people, visits end\n"), seed)
+        world = make_world(parse_scenario(f"{floor}\npoint end at 11, 4\ngroup one: 1 people, visits end\n"), seed)
         world.bodies.place[0] = (1.0, 4.0)
         aside = []
         while not world.bodies.settled[0] or world.bodies.goal[0] < 0:
@@ -279,6 +279,6 @@ def test_a_region_with_a_bitten_corner_has_a_spot() -> None:
     floor = "floor 0, 2 to 6, 6\nfloor 2, 0 to 6, 6\n"
     for size in ("1.5 x 1.5", "1.5 x 1.8", "1.6 x 1.5"):
         text = f"{floor}point here at 1.6, 1.6 region {size}\ngroup one: 1 people, visits here\n"
-        world = world_of(read_text(text), 1)
+        world = make_world(parse_scenario(text), 1)
         pass_time(world, 0.2)
         assert np.abs(world.bodies.target[0] - 1.6).max() <= 0.9

@@ -8,11 +8,11 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
 from cloner.behaviour import dice
-from cloner.behaviour.ground import BODY_M, Ground, box, ground_of, inside
-from cloner.behaviour.language import read_text
+from cloner.behaviour.ground import BODY_M, Ground, inside, make_ground, rectangle
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import step
-from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
-from cloner.behaviour.world import world_of
+from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, make_bodies, walk
+from cloner.behaviour.world import make_world
 from kit.scripts import script
 
 WORLDS = script("behaviour_worlds")
@@ -23,13 +23,13 @@ SIGHT_M = 6.0
 def bodies_at(
     ground: Ground, place: list[list[float]], way: tuple[float, float], speed: float = 1.34, **world: float
 ) -> Bodies:
-    bodies = bodies_on(ground, np.array(place, float), **world)
+    bodies = make_bodies(ground, np.array(place, float), **world)
     bodies.goal[:], bodies.way[:], bodies.wants[:] = GIVEN, way, speed
     return bodies
 
 
 def test_walls_of_overlapping_floors_are_those_around_all() -> None:
-    ground = ground_of([box((5, 2), (10, 4)), box((9, 2), (4, 1))], [box((3, 2), (1, 1))])
+    ground = make_ground([rectangle((5, 2), (10, 4)), rectangle((9, 2), (4, 1))], [rectangle((3, 2), (1, 1))])
     length = np.linalg.norm(ground.walls[:, 2:] - ground.walls[:, :2], axis=1).sum()
     assert length == pytest.approx(
         2 * (10 + 4) + 2 * 1 + 4 * 1
@@ -45,7 +45,7 @@ def test_walls_of_overlapping_floors_are_those_around_all() -> None:
 ])  # fmt: skip
 def test_sight_goes_forward_and_ends_at_walls_but_not_at_a_plinth(obstacle: str, facing: float, seen: bool) -> None:
     text = f"floor 0, 0 to 20, 8\n{obstacle}statue lion at 7, 4\ngroup one: 1 people, wanders\n"
-    world = world_of(read_text(text), 1)
+    world = make_world(parse_scenario(text), 1)
     world.bodies.place[:], world.bodies.facing[:] = (2.0, 4.0), (facing, 0.0)
     step(world)
     assert [name for _, name in world.bands[0].memory] == ["lion"] * seen
@@ -62,8 +62,8 @@ def test_inside_of_a_corner_polygon() -> None:
 
 
 def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
-    ground = ground_of([box((10, 5), (20, 10))], [box((10, 3.5), (1, 7))])
-    goal = box((18, 2), (1, 1))
+    ground = make_ground([rectangle((10, 5), (20, 10))], [rectangle((10, 3.5), (1, 7))])
+    goal = rectangle((18, 2), (1, 1))
     lost = bodies_at(ground, [[2.0, 2.0]], (0.0, 0.0), places=1)
     lost.lead(0, ground.region(goal))
     distance = lost.core.arrays["distance"]
@@ -72,19 +72,19 @@ def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
     assert straight < distance[row[0], column[0]] < 1.25 * straight  # walls cost more, sixteen directions 2.7 %
     way = lost.core.arrays["fields"][0, row[0], column[0]]
     assert way @ np.array([7.5, 5.2]) / np.hypot(7.5, 5.2) > np.cos(np.radians(12))
-    shut = ground_of([box((2, 2), (4, 4)), box((9, 2), (4, 4))])
+    shut = make_ground([rectangle((2, 2), (4, 4)), rectangle((9, 2), (4, 4))])
     inside_one = bodies_at(shut, [[2.0, 2.0]], (0.0, 0.0), places=1)
-    inside_one.lead(0, shut.region(box((9, 2), (1, 1))))
+    inside_one.lead(0, shut.region(rectangle((9, 2), (1, 1))))
     assert np.isinf(inside_one.core.arrays["distance"][shut.cells(np.array([[2.0, 2.0]]))]).all()
 
 
 def test_distances_are_the_least_sums_over_sixteen_neighbours() -> None:
     """Another's search over the same moves and prices finds the same, to the last bit."""
     chance = np.random.default_rng(4)
-    posts = [box(one, (0.9, 0.9)) for one in chance.uniform(1, 9, (9, 2))]
-    ground = ground_of([box((5, 5), (10, 10))], posts)
+    posts = [rectangle(one, (0.9, 0.9)) for one in chance.uniform(1, 9, (9, 2))]
+    ground = make_ground([rectangle((5, 5), (10, 10))], posts)
     people = bodies_at(ground, [[0.5, 0.5]], (0.0, 0.0), places=1)
-    region = ground.region(box((9.4, 9.4), (0.6, 0.6)))
+    region = ground.region(rectangle((9.4, 9.4), (0.6, 0.6)))
     people.lead(0, region)
     rows, cols = ground.clear.shape
     price = 1.0 + np.clip((0.5 - ground.clear) / (0.5 - 0.15), 0.0, 1.0)
@@ -108,7 +108,7 @@ def test_distances_are_the_least_sums_over_sixteen_neighbours() -> None:
 
 def test_the_nearest_sixteen_are_found_by_the_grid() -> None:
     place = np.stack([dice.uniform(3, k, np.arange(200)) * 20 for k in (1, 2)], axis=1)
-    bodies = bodies_at(ground_of([box((10, 10), (24, 24))]), place.tolist(), (0.0, 0.0))
+    bodies = bodies_at(make_ground([rectangle((10, 10), (24, 24))]), place.tolist(), (0.0, 0.0))
     walk(bodies)
     found = bodies.core.arrays["others"]
     away = np.linalg.norm(place[:, None] - place[None], axis=2)
@@ -119,7 +119,7 @@ def test_the_nearest_sixteen_are_found_by_the_grid() -> None:
 
 
 def test_one_alone_walks_forty_metres_at_his_own_speed() -> None:
-    ground = ground_of([box((25, 1), (50, 2))])
+    ground = make_ground([rectangle((25, 1), (50, 2))])
     one = bodies_at(ground, [[1.0, 1.0]], (1.0, 0.0), 1.33)
     for _ in range(round(30.0 / STEP_S)):
         walk(one)
@@ -127,8 +127,8 @@ def test_one_alone_walks_forty_metres_at_his_own_speed() -> None:
 
 
 def test_nobody_crosses_a_wall_or_stands_in_another() -> None:
-    ground = ground_of([box((4, 2), (8, 4)), box((8.2, 2), (0.6, 1.0)), box((11, 2), (5, 4))])
-    goal = box((12.5, 2), (1, 3))
+    ground = make_ground([rectangle((4, 2), (8, 4)), rectangle((8.2, 2), (0.6, 1.0)), rectangle((11, 2), (5, 4))])
+    goal = rectangle((12.5, 2), (1, 3))
     people = bodies_at(ground, [[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0), places=1)
     people.lead(0, ground.region(goal))
     people.goal[:] = 0
@@ -150,7 +150,7 @@ def test_nobody_crosses_a_wall_or_stands_in_another() -> None:
 def test_speed_falls_with_density_as_weidmann_says() -> None:
     found = []
     for density, speed in ((0.25, 1.34), (1.0, 1.06)):
-        ground = ground_of([box((15, 2), (46, 4))])
+        ground = make_ground([rectangle((15, 2), (46, 4))])
         count = round(density * 30 * 4)
         k = np.arange(count)
         rows = 2 if density < 1 else 6
@@ -176,7 +176,7 @@ def test_streams_against_each_other_do_not_lock(seed: int) -> None:
 
 @pytest.mark.parametrize("polite", [True, False])
 def test_who_stands_makes_way_for_who_comes(polite: bool) -> None:
-    ground = ground_of([box((5, 0.5), (10, 1))])
+    ground = make_ground([rectangle((5, 0.5), (10, 1))])
     people = bodies_at(ground, [[1.0, 0.5], [5.0, 0.5]], (1.0, 0.0))
     people.way[1] = 0.0
     people.avoids[1] = polite
@@ -194,4 +194,4 @@ def test_dice_are_even_normal_and_repeat() -> None:
     assert abs(bell.std() - 1.0) < 0.03
     assert np.array_equal(dice.uniform(5, 7, who[::-1]), even[::-1])
     assert not np.array_equal(dice.uniform(6, 7, who), even)
-    assert sorted(dice.order(1, 2, who[:50]).tolist()) == list(range(50))
+    assert sorted(dice.shuffled(1, 2, who[:50]).tolist()) == list(range(50))

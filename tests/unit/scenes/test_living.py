@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.behaviour.language import read_text
+from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import guide
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import COLUMNS, FROM, GONE, UNTIL, Acted, rows_at
@@ -35,7 +35,7 @@ pytestmark = [pytest.mark.gl, pytest.mark.slow]
 def minds_in(built: Path) -> RunningScenario:
     facts = read_facts(built)
     return start_scenario(
-        read_text(facts["scenario"]["text"]), 1, read_acted(built, facts), facts["people"][0]["clips"]
+        parse_scenario(facts["scenario"]["text"]), 1, read_acted(built, facts), facts["people"][0]["clips"]
     )
 
 
@@ -65,7 +65,7 @@ def test_who_walks_along_in_a_page_is_there_on_feet_and_gone_when_the_page_falls
     clock = [time.monotonic()]
     monkeypatch.setattr(living.time, "monotonic", lambda: clock[0])
     scene, _ = shown(built, hot)
-    scene._scenario = read_text(SCENARIO.replace("group watchers: 2 people, visits b, starts at b", GUESTS))
+    scene._scenario = parse_scenario(SCENARIO.replace("group watchers: 2 people, visits b, starts at b", GUESTS))
     scene._begin()
     told, way = scene.told(0.01), np.zeros((0, COLUMNS), np.float32)
     assert 3 not in dict(next(told)[1]["of"])
