@@ -27,11 +27,11 @@ from cloner.crowd.clones.cast import CrowdClone, make_crowd_clone
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX, CrowdArrays
 from cloner.crowd.drawing.impostors import BakeSettings, bake, with_tiles
-from cloner.crowd.drawing.theatre import Theatre
-from cloner.crowd.packs.check import blocks_bytes, check_pack, gpu_bytes
-from cloner.crowd.packs.pack import LARGEST_PX, stock_of
+from cloner.crowd.drawing.theatre import CrowdRenderer
+from cloner.crowd.packs.check import check_pack, compressed_gpu_bytes, gpu_bytes
+from cloner.crowd.packs.pack import LARGEST_PX, make_stock
 from cloner.crowd.packs.reading import read_facts, read_stock
-from cloner.crowd.staged.eye import Eye
+from cloner.crowd.staged.eye import CrowdCamera
 from cloner.motion.limbs.rig import centre_joints
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.project.flow_file import load_flow
@@ -54,7 +54,7 @@ class Person:
     """One clone in one theatre: level 0 is every triangle, the pack's levels follow."""
 
     cast: CrowdClone
-    theatre: Theatre
+    theatre: CrowdRenderer
 
     def shot(
         self, case: tuple[float, float, float, float], px: float, level: int | None, over: int, *,
@@ -71,7 +71,7 @@ class Person:
         shift = np.array([dx, dy, 0.0]) * away / FOCAL_PX
         place = middle + shift + away * np.array([0.0, np.sin(up), np.cos(up)])
         side = int(px * 1.3) // 2 * 2
-        eye = Eye(place, middle + shift, (side * over, side * over), FOCAL_PX * over)
+        eye = CrowdCamera(place, middle + shift, (side * over, side * over), FOCAL_PX * over)
         target = self.theatre.target((side * over, side * over), 1, 4 if four else 0)
         self.theatre.begin(target, GREY)
         values = {"clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": FOCAL_PX, "coarse": 1,
@@ -109,8 +109,8 @@ def person_of(pack: Path, results: Path, k: int) -> tuple[CrowdClone, CrowdArray
     cast = make_crowd_clone(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow, budgets=held.budgets)
     budgets = (len(cast.loose.triangles[0]), *held.budgets)
     plan = BakeSettings(row["views"], elevations=held.elevations, texels_per_m=facts["switch"]["texels_per_m"])
-    sets = [(int(one[0]), stock.Baked(int(one[2]))) for one in held.table[k, stock.SETS_AT :][: len(cast.clips)]]
-    own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [sets], plan, budgets)
+    sets = [(int(one[0]), stock.BakedClip(int(one[2]))) for one in held.table[k, stock.SETS_AT :][: len(cast.clips)]]
+    own = make_stock(body, [cast], [stock.clone_arrays(cast, budgets)], [sets], plan, budgets)
     own = replace(own, tiles=held.tiles[k : k + 1], colours=held.colours[k : k + 1], shapes=held.shapes[k : k + 1],
                   elevations=held.elevations)  # fmt: skip
     return cast, own, plan
@@ -158,7 +158,7 @@ def one_looked_at(
     rows: dict[str, list[float]] = {}
     switch_px = FOCAL_PX * STATURE_M / (FOCAL_PX * TEXELS_PER_PX / TEXELS_PER_M)
     cast, own, plan = person_of(pack, results, number)
-    person = Person(cast, Theatre(own))
+    person = Person(cast, CrowdRenderer(own))
     for case in cases(SEED + number):
         for level in range(4):
             px, over = float(LARGEST_PX[level] or FINEST_PX), 4 if 0 < LARGEST_PX[level] <= 128 else 2
@@ -188,8 +188,8 @@ def classics(
     """Yield the source's way: one texel a pixel, the nearest view, no depth; colours directly, not by UV map."""
     body, thin = body_levels(full=True), replace(plan, texels_per_m=plan.texels_per_m / TEXELS_PER_PX)
     tiles = bake(cast, body, own, thin)
-    again = stock_of(body, [cast], own.numbers, [tiles.sets], thin, own.budgets)
-    person = Person(cast, Theatre(with_tiles(again, [tiles], thin)))
+    again = make_stock(body, [cast], own.numbers, [tiles.sets], thin, own.budgets)
+    person = Person(cast, CrowdRenderer(with_tiles(again, [tiles], thin)))
     for case in cases(seed):
         want = person.shot(case, switch_px, 0, 8)
         got = person.shot(case, switch_px, None, 1, classic=True)
@@ -241,7 +241,7 @@ def facts_of(pack: Path, made: list[float] | None) -> list[str]:
     lines.append(f"- {size / len(facts['people']) / 1e6:.2f} MB a clone on the disk (bar 3)")
     memory = gpu_bytes(pack, facts)
     lines.append(f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones), "
-                 f"{blocks_bytes(memory) / MIB:.0f} MiB in blocks (bar 64)")  # fmt: skip
+                 f"{compressed_gpu_bytes(memory) / MIB:.0f} MiB in blocks (bar 64)")  # fmt: skip
     if made:
         lines.append(f"- making it: {made[0]:.0f} CPU s (bar 600), at most {made[1]:.0f} MiB (bar 1536)")
     return lines

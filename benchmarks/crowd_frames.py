@@ -24,7 +24,7 @@ from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import make_crowd_clone
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.drawing.player import HELD, player_page
-from cloner.crowd.packs.files import packed
+from cloner.crowd.packs.files import pack_arrays
 from cloner.crowd.packs.pack import body_arrays
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.motion.limbs.rig import centre_joints
@@ -80,11 +80,11 @@ def whole_page(pack: Path, results: Path, folder: Path) -> tuple[Path, list[str]
     budgets = (max(len(cast.loose.triangles[0]) for cast in casts), *held.budgets)
     first = 0
     for k, (row, cast) in enumerate(zip(rows, casts, strict=True)):
-        own = stock.numbers_of(cast, budgets)
+        own = stock.clone_arrays(cast, budgets)
         table = held.table[k].copy()
         table[stock.CLIPS_AT : stock.CLIPS_AT + len(cast.clips), 0] += first - table[stock.CLIPS_AT, 0]
         first += len(own.bones)
-        data, row["arrays"] = packed({
+        data, row["arrays"] = pack_arrays({
             "vertices": own.vertices, "loose": own.loose, "corners": own.corners, "bones": own.bones, "table": table,
             "tiles": held.tiles[k],
         })  # fmt: skip
@@ -94,7 +94,7 @@ def whole_page(pack: Path, results: Path, folder: Path) -> tuple[Path, list[str]
             shutil.copyfile(pack / "people" / row["id"] / name, place / name)
         (place / "numbers.bin").write_bytes(data)
         row["loose_triangles"] = [len(triangles) for triangles in cast.loose.triangles]
-    data, facts["body_arrays"] = packed(body_arrays(body))
+    data, facts["body_arrays"] = pack_arrays(body_arrays(body))
     (folder / "body.bin").write_bytes(data)
     whole = {**facts["tiers"][0], "vertices": body.counts[0], "largest_px": 0}
     facts["tiers"] = [whole, *({**tier, "vertices": body.counts[k + 1]} for k, tier in enumerate(facts["tiers"]))]

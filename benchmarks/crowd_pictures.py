@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 from skimage.metrics import structural_similarity
 
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs import still
-from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
-from cloner.crowd.staged.scene import PERSON_TEXELS, Casting, Mulberry32, Scene, look_of
+from cloner.crowd.packs.reading import read_casting, read_facts, read_stock
+from cloner.crowd.staged.scene import PERSON_TEXELS, Casting, Mulberry32, Scene, random_look
 
 PEOPLE, NEAR_M, FAR_M, POSES = 60, 12.0, 60.0, 16
 SIZE = (960, 540)
@@ -28,7 +28,7 @@ def field(clones: int, casting: Casting) -> Scene:
     for k in range(PEOPLE):
         away = (NEAR_M**2 + dice.roll() * (FAR_M**2 - NEAR_M**2)) ** 0.5
         aside, heading, phase = (dice.roll() - 0.5) * 1.16, dice.roll() * 2 * np.pi, dice.pick(POSES) / POSES
-        donors, dyes = look_of(k % clones, casting, dice)
+        donors, dyes = random_look(k % clones, casting, dice)
         place = [0.0, away * np.sin(aside), -away * np.cos(aside), heading]
         rows += [place, [0.0, phase, k % clones, 1.0], [*donors, 0.0], dyes, [0.0] * 4]
     return Scene(np.array(rows, np.float32).reshape(-1, PERSON_TEXELS, 4), 100.0)
@@ -37,15 +37,15 @@ def field(clones: int, casting: Casting) -> Scene:
 def hybrid_table(pack: Path) -> list[str]:
     """Return SSIM and PSNR of the people's pixels."""
     facts = read_facts(pack)
-    theatre = Theatre(read_stock(pack, facts))
-    made = field(len(facts["people"]), casting_from(facts))
+    theatre = CrowdRenderer(read_stock(pack, facts))
+    made = field(len(facts["people"]), read_casting(facts))
     nobody = made.rows.copy()
     nobody[:, 0, 2] = 500.0  # behind the eye
 
     def picture(mode: str, samples: int, over: int = 1, rows: np.ndarray = made.rows) -> np.ndarray:
         still.SAMPLES = samples
         size = (SIZE[0] * over, SIZE[1] * over)
-        shown = still.Painter(theatre, facts, Scene(rows, 100.0), size).picture(VIEW, 0.0, mode).astype(float)
+        shown = still.ScenePainter(theatre, facts, Scene(rows, 100.0), size).picture(VIEW, 0.0, mode).astype(float)
         return shown.reshape(SIZE[1], over, SIZE[0], over, 3).mean(axis=(1, 3))
 
     want = picture("geometry", 0, OVER)

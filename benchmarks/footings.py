@@ -20,7 +20,7 @@ from cloner.behaviour.feet import Feet
 from cloner.behaviour.trajectories import Trajectories, read_trajectories
 from cloner.behaviour.walking import RATE_HZ
 from cloner.crowd.packs.reading import read_facts, read_stock
-from cloner.crowd.staged.footing import BY_FOOTINGS, Acted, rows_at, touches_of
+from cloner.crowd.staged.footing import BY_FOOTINGS, Acted, people_at, touching_points
 from cloner.crowd.staged.scene import IDLE
 from kit.feet import Soles
 
@@ -35,7 +35,9 @@ def ways(pack: Path) -> list[str]:
     facts = read_facts(pack)
     held, soles = read_stock(pack, facts), Soles(pack)
     people = facts["people"]
-    touches = np.stack([touches_of(n, held.body, row["clips"]) for n, row in zip(held.numbers, people, strict=True)])
+    touches = np.stack(
+        [touching_points(n, held.body, row["clips"]) for n, row in zip(held.numbers, people, strict=True)]
+    )
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     heads = [f"{share:g} of its speed, {turn:g} rad/s" for share, turn in WAYS]
     lines = [f"| clone | walk | {' | '.join(heads)} |", f"| --- | --- {'| --- ' * len(WAYS)}|"]
@@ -70,7 +72,7 @@ def among_others(pack: Path, walk: Trajectories) -> list[str]:
     slid = np.concatenate([soles.slides_mm(acted, who, 0.0, end) for who in range(0, len(walk.groups), EVERY)])
     off = []
     for frame in range(0, len(walk.place) - 1, 5):
-        rows = rows_at(acted, frame / RATE_HZ)
+        rows = people_at(acted, frame / RATE_HZ)
         here = walk.present[frame] & (rows[:, 0, 0] == BY_FOOTINGS)
         want = np.column_stack([walk.place[frame, :, 0], -walk.place[frame, :, 1]])
         off.append(np.linalg.norm(rows[here, 0, 1:3] - want[here], axis=1))

@@ -12,7 +12,7 @@ from cloner.behaviour.core.host import MODULE
 from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.world import make_world
 from cloner.crowd.drawing.player import ENGINE_FILE, MINDS_FILE
-from cloner.crowd.packs.files import packed
+from cloner.crowd.packs.files import pack_arrays
 from cloner.crowd.staged.footing import Acted
 
 
@@ -54,7 +54,7 @@ def make_continuation(text: str, seed: int, acted: Acted, clips: Sequence[Mappin
     scenario = parse_scenario(text)
     world = make_world(scenario, seed, make_feet(acted.touches, acted.clips, acted.people, clips))
     begun, tables = initial_state(world)
-    data, arrays = packed(tables)
+    data, arrays = pack_arrays(tables)
     facts = {"text": text, "seed": seed, "begun": begun, "arrays": arrays, "events": world.names.events,
              "things": world.names.things}  # fmt: skip
     return Continuation({MINDS_FILE: data, ENGINE_FILE: MODULE.read_bytes()}, facts)

@@ -21,10 +21,10 @@ from cloner.behaviour.walking import RATE_HZ
 from cloner.behaviour.world import make_world
 from cloner.behaviour.written import recorded
 from cloner.crowd.drawing.player import ACTED_FILE, BODY_FILE, player_page
-from cloner.crowd.packs.files import MARK, digest, pack_folder, packed
-from cloner.crowd.packs.reading import casting_from, read_checked, read_facts, read_stock
-from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
-from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Mulberry32, look_of, scale_of
+from cloner.crowd.packs.files import MARK, digest, pack_arrays, pack_folder
+from cloner.crowd.packs.reading import read_casting, read_checked, read_facts, read_stock
+from cloner.crowd.staged.footing import COLUMNS, Acted, touching_points
+from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Mulberry32, random_look, random_scale
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, no_progress
 from cloner.untrusted import open_untrusted
@@ -120,7 +120,7 @@ def write_acted(
     views : eye and target of the page's views
     room, staging
         What stands around them, and how it is staged; see :mod:`cloner.crowd.staged.staging`.
-    scenario : GoingOn, optional
+    scenario : Continuation, optional
         By which it can go on for ever, in the page or served.
     spoken : SpokenParts, optional
         What they say.
@@ -129,7 +129,7 @@ def write_acted(
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
         "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
-    data, told = packed(arrays)
+    data, told = pack_arrays(arrays)
     kept = {name: own for name, own in facts["files"].items() if name.startswith("people/") or name == BODY_FILE}
     files = {ACTED_FILE: data, **(room.files if room else {}), **(spoken.files if spoken else {}),
              **(scenario.files if scenario else {})}  # fmt: skip
@@ -216,13 +216,13 @@ def act_out(
         raise ClonerError("the pack's clones do not have the same walks", "Make it again with cloner crowd", pack.name)
     try:
         touches = np.stack(
-            [touches_of(own, held.body, row["clips"]) for own, row in zip(held.numbers, people, strict=True)]
+            [touching_points(own, held.body, row["clips"]) for own, row in zip(held.numbers, people, strict=True)]
         )
     except (ValueError, LookupError) as error:
         hint = "Make it again with cloner crowd"
         raise ClonerError("the pack's frames do not fit what it says of them", hint, pack.name) from error
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
-    rows = _people(len(walk.groups), casting_from(facts))
+    rows = _people(len(walk.groups), read_casting(facts))
     feet = make_feet(touches, clips, rows, people[0]["clips"])
     acts = np.array([feet.still.get(one, IDLE) for one in walk.acts])
     walks = np.array([feet.walks.get(one, WALK) for one in walk.walks])
@@ -244,7 +244,7 @@ def _people(count: int, casting: Casting) -> NDArray[np.float32]:
         if who % casting.clones == 0:
             order = [k for _, k in sorted((dice.roll(), k) for k in range(casting.clones))]
         clone = order[who % casting.clones]
-        scale, phase = scale_of(dice), dice.roll()
-        donors, dyes = look_of(clone, casting, dice)
+        scale, phase = random_scale(dice), dice.roll()
+        donors, dyes = random_look(clone, casting, dice)
         rows[who, 1], rows[who, 2, :3], rows[who, 3] = (0.0, phase, clone, scale), donors, dyes
     return rows

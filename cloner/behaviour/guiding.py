@@ -61,7 +61,7 @@ def serve_guides(desk: RequestQueue, port: int = 0) -> Iterator[int]:
 
     Parameters
     ----------
-    desk : Desk
+    desk : RequestQueue
     port : int
         0 takes any free one.
 
@@ -109,7 +109,7 @@ def guided_steps(
     Parameters
     ----------
     world : World
-    desk : Desk
+    desk : RequestQueue
     seconds : float
     pace : callable, optional
         Called with the scenario's time, seconds, before each step; waits. None keeps to the clock.

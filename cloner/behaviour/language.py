@@ -94,7 +94,7 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         return {"act": found[0], "seconds": found[1]}
 
     def point(self, found: list[Any]) -> tuple[str, Any]:
-        return "points", Point(found[0], found[1], **_merge_parts(found[2:], found[0]))
+        return "points", Point(found[0], found[1], **_merged(found[2:], found[0]))
 
     def thing(self, found: list[Any]) -> tuple[str, Any]:
         return "things", Thing(*found)
@@ -184,7 +184,7 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         return Action("act" if data == "do" else str(data), who, what or "", seconds or 0.0)
 
 
-def _merge_parts(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
+def _merged(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
     """Return all parts as one; a repeated part is an error."""
     told: dict[str, Any] = {}
     for part in parts:
@@ -198,9 +198,7 @@ def _merge_parts(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
 def _group(name: str, people: int, parts: Sequence[dict[str, Any]], *, alone: bool) -> Group:
     parts = [part for part in parts if part is not None]
     likes = tuple(part["likes"] for part in parts if "likes" in part)
-    return Group(
-        name, people, alone, likes=likes, **_merge_parts([part for part in parts if "likes" not in part], name)
-    )
+    return Group(name, people, alone, likes=likes, **_merged([part for part in parts if "likes" not in part], name))
 
 
 def _corners(x: float, y: float, w: float, h: float) -> tuple[tuple[float, float], ...]:

@@ -111,7 +111,7 @@ class Opened:
     warnings : tuple of str
     tray : tuple of TrayPhoto
         Photos that show no view yet.
-    looks : mapping of str to Look
+    looks : mapping of str to PhotoCheck
         What was found of photos, by digest.
     thumbnails : mapping of ViewId to (h, w, 3) uint8
     proposed : mapping

@@ -66,7 +66,7 @@ def write_garments_as_result(
 
     Parameters
     ----------
-    found : Dressed
+    found : DressedClone
     clone : Clone
         As its file holds it.
     source : Path

@@ -49,10 +49,7 @@ HIP_EASE: Final = 1.04
 #: Everything that is cut to measure by name.
 GARMENTS: Final = (*BLOCKS, *TAILORED)
 #: What a garment of one's own is read by.
-FILES: Final[Mapping[str, Callable[[Path, Sections], Pattern]]] = {
-    ".json": read_garment,
-    ".svg": read_svg_garment,
-}
+FILES: Final[Mapping[str, Callable[[Path, Sections], Pattern]]] = {".json": read_garment, ".svg": read_svg_garment}
 #: Cycles that are simulated to find a loop in (four more follow under feedback), the share of the time that they take,
 #: and the step of the cloth's triangles: about 5,000 vertices in a skirt.
 CYCLES: Final = 8
@@ -76,7 +73,7 @@ class DressedClone:
     ----------
     put_m : (P, N, 3)
         The garment's points while it was put on, and in the walk's first cycle.
-    under : Dressed or None
+    under : DressedClone or None
         What is worn below it.
     """
 
@@ -115,9 +112,7 @@ def dress_clone(
     resumed: Path | None = None,
     progress: Progress = no_progress,
 ) -> DressedClone:
-    """Return a clone with a garment that moves in a loop with a cyclic motion; ``ring_level`` only if it hangs from a
-    ring.
-    """
+    """Return a clone with a garment that moves in a loop with a cyclic motion, hung from a ring if it has a level."""
     made = Dressing(
         clone, pattern, ring_level, fabric, motion,
         cycles=cycles, step_m=step_m, under=under, elements=elements, resumed=resumed,
@@ -137,7 +132,7 @@ class Dressing:
     fabric : Fabric
     motion : Motion
         Cyclic.
-    under : Dressed or None
+    under : DressedClone or None
         What is worn below already, in the same motion.
     elements : bool
         Let the source's integrator move it (`cloner.cloth.simulation.implicit`), not threads.
@@ -161,11 +156,8 @@ class Dressing:
     ) -> None:
         ring = body_ring(clone, ring_level) if ring_level is not None else None
         below = None if under is None else under.below()
-        self.worn, self._under = (
-            place_garment(clone, pattern, ring, fabric, motion, step_m, below, elements=elements),
-            under,
-        )
-        self._clone, self._fabric, self._motion, self._cycles = clone, fabric, motion, cycles
+        self.worn = place_garment(clone, pattern, ring, fabric, motion, step_m, below, elements=elements)
+        self._clone, self._fabric, self._motion, self._cycles, self._under = clone, fabric, motion, cycles, under
         self._frames: list[Array] = []
         self._resumed, state = resumed, None
         if resumed is not None:
@@ -193,9 +185,8 @@ class Dressing:
             progress("cloth", WALKED * max(number, 0) / total)
         places = np.array(self._frames)
         loop = find_loop(self.worn, places[put:], lambda gone: progress("loop", WALKED + (1.0 - WALKED) * gone))
-        return DressedClone(
-            self._clone, self._motion, self.worn, loop, self._fabric, places[: put + count], self._under
-        )
+        shown = places[: put + count]
+        return DressedClone(self._clone, self._motion, self.worn, loop, self._fabric, shown, self._under)
 
     def over_below(self, places_m: Array, frame: int) -> Array:
         """Return the points of the layers below in a frame, followed by this garment's."""

@@ -54,7 +54,7 @@ def _make(
     The word make may be left out.
     """
     from cloner.crowd.packs.pack import make_pack
-    from cloner.crowd.packs.wanted import PackOptions, rings_of
+    from cloner.crowd.packs.wanted import PackOptions, parse_rings
 
     carved = None
     if statues:
@@ -66,7 +66,7 @@ def _make(
         people,
         views,
         poses,
-        rings_of(rings),
+        parse_rings(rings),
         looks,
         scene,
         vat,

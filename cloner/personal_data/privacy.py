@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.crowd.packs.held import films_below, pack_of
+from cloner.crowd.packs.held import find_films, pack_of
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import Holding, photo_digests
 from cloner.personal_data.leftovers import Traces, left_of
@@ -125,7 +125,7 @@ def _delete_rests(roots: Sequence[Path]) -> Iterator[str]:
 
 def _delete_films(roots: Sequence[Path], traces: Traces) -> Iterator[str]:
     """Delete the films and pictures of packs that show a visitor; yield what stays."""
-    for path in [path for root in roots for path in films_below(root, set(traces.tokens))]:
+    for path in [path for root in roots for path in find_films(root, set(traces.tokens))]:
         try:
             path.unlink(missing_ok=True)
         except OSError as error:

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.acting.written import write_acted
-from cloner.crowd.drawing.theatre import Theatre
-from cloner.crowd.packs.held import filmed
+from cloner.crowd.drawing.theatre import CrowdRenderer
+from cloner.crowd.packs.held import film_tokens
 from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_spoken, read_stock
-from cloner.crowd.packs.still import Painter
+from cloner.crowd.packs.still import ScenePainter
 from cloner.crowd.staged.footing import Acted
-from cloner.crowd.staged.staging import Staging, staging_of
+from cloner.crowd.staged.staging import Staging, read_staging
 from cloner.errors import ClonerError
 from cloner.motion.face.sound import wav_bytes
 from cloner.pipeline import Progress, no_progress
@@ -105,26 +105,26 @@ def _draw(
     """Render a staged pack's film into a file, or into a folder of pictures, with its speech."""
     facts = read_facts(pack)
     told = facts["staging"]["film"]
-    acted, staging = read_acted(pack, facts), staging_of(facts)
+    acted, staging = read_acted(pack, facts), read_staging(facts)
     sound = None
     if staging:
         sources = [*(voices.sources() if voices else ()), *footsteps(acted, staging, told["seconds"])]
         sound = mix_stereo(sources, told["seconds"], _ear(staging, acted), echo) if sources else None
-    theatre = Theatre(read_stock(pack, facts))
+    theatre = CrowdRenderer(read_stock(pack, facts))
     try:
-        painter = Painter(
+        painter = ScenePainter(
             theatre, facts, acted, tuple(told["size_px"]), read_room(pack, facts), staging, read_spoken(pack, facts)
         )
         pictures = _pictures(painter, told, progress)
         if out.suffix.lower() in FORMATS:
             with atomic_file(out) as temporary:
                 out.parent.mkdir(parents=True, exist_ok=True)
-                write_film(pictures, told["rate_hz"], temporary, filmed(facts["people"]), sound, RATE_HZ)
+                write_film(pictures, told["rate_hz"], temporary, film_tokens(facts["people"]), sound, RATE_HZ)
         else:
             with result_folder(out.parent, out.name) as folder:
                 for number, shown in enumerate(pictures, start=1):
                     Image.fromarray(shown).save(
-                        folder / f"{number:0{DIGITS}}.png", pnginfo=png_text(filmed(facts["people"]))
+                        folder / f"{number:0{DIGITS}}.png", pnginfo=png_text(film_tokens(facts["people"]))
                     )
                 if sound is not None:
                     (folder / SOUND_FILE).write_bytes(wav_bytes(sound, RATE_HZ))
@@ -145,7 +145,7 @@ def _ear(staging: Staging, acted: Acted) -> Ear:
     return ear
 
 
-def _pictures(painter: Painter, told: dict[str, Any], progress: Progress) -> Iterator[Pixels]:
+def _pictures(painter: ScenePainter, told: dict[str, Any], progress: Progress) -> Iterator[Pixels]:
     count = max(round(told["seconds"] * told["rate_hz"]), 1)
     for k in range(count):
         yield painter.film_picture(k / told["rate_hz"])

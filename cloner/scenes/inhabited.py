@@ -15,7 +15,7 @@ from PIL import Image
 
 from cloner.acting.written import RoomParts, bake_file, thing_names
 from cloner.behaviour.trajectories import Trajectories
-from cloner.crowd.packs.files import packed, webp
+from cloner.crowd.packs.files import encode_webp, pack_arrays
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
@@ -102,7 +102,7 @@ def room_parts(
         "corners": np.concatenate(corners).astype(np.float32), "probes": probes.light, "sun": probes.sun,
         "walkable": walkable,
     }  # fmt: skip
-    data, told = packed(arrays)
+    data, told = pack_arrays(arrays)
     sheet = texture_sheet([room.looks[one.look] for one in meshes])
     sun = room.plan.sun
     facts = {
@@ -113,8 +113,12 @@ def room_parts(
         "sun_way": sun_direction(sun).tolist() if sun else [0.0, 1.0, 0.0],
         "sun_light": list(sun.light) if sun else [0.0] * 3,
     }  # fmt: skip
-    files = {ROOM_FILE: data, LOOKS_FILE: webp(sheet, LOOK_QUALITY), LIGHT_FILE: webp(pixels[..., :3], None),
-             SUN_FILE: webp(pixels[..., 3], None)}  # fmt: skip
+    files = {
+        ROOM_FILE: data,
+        LOOKS_FILE: encode_webp(sheet, LOOK_QUALITY),
+        LIGHT_FILE: encode_webp(pixels[..., :3], None),
+        SUN_FILE: encode_webp(pixels[..., 3], None),
+    }
     stand = partial(_with_statues, room.plan, {one.name: one for one in statues}) if statues else None
     return RoomParts(files, facts, page_views(room.plan), stand)
 

@@ -37,10 +37,10 @@ from cloner.cloth.drafting.sections import Sections, sections
 from cloner.cloth.simulation.fabrics import read_fabric
 from cloner.crowd.clones.groups import WORN
 from cloner.crowd.packs.files import VERSION
-from cloner.crowd.packs.reading import casting_from, read_facts
-from cloner.crowd.staged.looks import casting_of
+from cloner.crowd.packs.reading import read_casting, read_facts
+from cloner.crowd.staged.looks import make_casting
 from cloner.crowd.staged.looks import read_looks as read_dyes
-from cloner.crowd.staged.scene import scene_of
+from cloner.crowd.staged.scene import make_scene
 from cloner.errors import ClonerError, printable
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.frames import ViewId
@@ -346,7 +346,7 @@ def _folded(name: str, read: Callable[[Path], Any]) -> Callable[[Path], Any]:
 
 def _crowd(path: Path) -> Any:
     facts = read_facts(path.parent)
-    return scene_of(facts["scene"], min(facts["people_count"], 300), casting_from(facts))
+    return make_scene(facts["scene"], min(facts["people_count"], 300), read_casting(facts))
 
 
 def _visitors(path: Path) -> None:
@@ -406,7 +406,7 @@ TARGETS: Mapping[str, Target] = {
     "scenario": Target("museum.crowd", lambda: (SCENARIO,), read_scenario),
     "guide": Target("said.json", lambda: GUIDE, _wish),
     "film": Target("awakening.film", lambda: (FILM,), read_sequence),
-    "dyes": Target("looks.toml", lambda: (DYES,), lambda path: casting_of([_BARE, _BARE], read_dyes(path))),
+    "dyes": Target("looks.toml", lambda: (DYES,), lambda path: make_casting([_BARE, _BARE], read_dyes(path))),
     "pattern": Target("skirt.json", lambda: (pattern_text(draft_block(BLOCKS["skirt"], 0.7, 0.5)).encode(),),
                       lambda path: triangulate(read_pattern(path), 0.2)),
     "garmentcode": Target("mine.json", lambda: tuple(json.dumps(told()).encode() for told in (skirt, shirt, trousers)),

@@ -9,10 +9,10 @@ import numpy as np
 from skimage.metrics import structural_similarity
 
 from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.wanted import PackOptions
-from cloner.crowd.staged.eye import Eye
+from cloner.crowd.staged.eye import CrowdCamera
 from cloner.exporters.shared.regions import texel_triangles
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import CLONE_FILE, save_clone
@@ -87,11 +87,11 @@ def row(
     return out
 
 
-def shot(theatre: Theatre, person: np.ndarray, level: int | None, size: int = 96, over: int = 4) -> np.ndarray:
+def shot(theatre: CrowdRenderer, person: np.ndarray, level: int | None, size: int = 96, over: int = 4) -> np.ndarray:
     """One person at the switch: 869 px of focal length, 1.5 texels a pixel; ``level`` None is the impostor."""
     away = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
     place = np.array([0.0, 0.9 + away * np.sin(np.radians(5)), away * np.cos(np.radians(5))])
-    eye = Eye(place, np.array([0.0, 0.9, 0.0]),
+    eye = CrowdCamera(place, np.array([0.0, 0.9, 0.0]),
               (size * over, size * over), 869.0 * over)  # fmt: skip
     theatre.send_people(person[None])
     target = theatre.target((size * over, size * over))

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from cloner.crowd.packs.reading import read_facts, read_stock
-from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP_STEP, Acted, rows_at, sole_places, turned_by
+from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP_STEP, Acted, people_at, rotate_by_heading, sole_places
 from cloner.motion.moves.slide import RULER_HZ, foot_slides_m
 from cloner.records.motions import Motion
 
@@ -28,7 +28,7 @@ class Soles:
         first = self.points[clone][side][self.starts[clone][int(row[2, 3])] + int(row[1, 0])]
         blended = self.points[clone][side][self.starts[clone][other] + second]
         own = (first + (blended - first) * share) * scale
-        flat = turned_by(np.full(len(own), float(row[0, 3])), own[:, ::2])
+        flat = rotate_by_heading(np.full(len(own), float(row[0, 3])), own[:, ::2])
         return np.column_stack([flat[:, 0] + row[0, 1], own[:, 1], flat[:, 1] + row[0, 2]])
 
     def slides_mm(self, acted: Acted, who: int, begin_s: float, end_s: float) -> np.ndarray:
@@ -37,7 +37,7 @@ class Soles:
         one = Acted(acted.footings[first:last], np.array([0, last - first], np.uint32), acted.people[who : who + 1],
                     acted.touches, acted.clips)  # fmt: skip
         times = np.arange(begin_s, end_s, 1.0 / RULER_HZ)
-        rows = [row for row in (rows_at(one, now)[0] for now in times) if row[0, 0] == BY_FOOTINGS]
+        rows = [row for row in (people_at(one, now)[0] for now in times) if row[0, 0] == BY_FOOTINGS]
         still = Motion("seen", np.arange(len(rows)) / RULER_HZ, np.zeros((len(rows), 3)), np.zeros((len(rows), 1, 3)))
         feet = (np.stack([self.shown(row, side) for row in rows]) for side in (0, 1))
         return 1000.0 * np.concatenate([foot_slides_m(points, still) for points in feet])

@@ -30,7 +30,7 @@ class Day:
         Who lies in the trash came too, and is counted in all of it.
     waited_min : tuple of float
         Minutes from the wish for a clone to the clone, of everybody of whom both are known.
-    photos : mapping of Trouble to int
+    photos : mapping of PhotoProblem to int
         Photos that the operator was advised to take again; one photo may have several reasons.
     failures : mapping of str to int
         Why visitors were not cloned, as the library's own sentence.

@@ -33,7 +33,7 @@ class PhotoCheck:
         Of the photo's file.
     view : ViewId or None
         What it shows, as far as it can be told.
-    troubles : tuple of Trouble
+    troubles : tuple of PhotoProblem
         What is wrong with it in every place.
     passes : frozenset of ViewId
         Every view whose photo it can be; `view` is the likeliest.

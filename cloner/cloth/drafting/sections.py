@@ -80,7 +80,7 @@ class Sections:
     clone : Clone
     waist_m : float
         Height of the natural waist.
-    frames : mapping of str to Frame
+    frames : mapping of str to SliceFrame
         "trunk" (all but the arms), "left_leg", "right_leg", "left_arm", "right_arm".
     """
 

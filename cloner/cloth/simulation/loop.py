@@ -83,7 +83,7 @@ def find_loop(worn: WornGarment, places_m: Array, progress: Callable[[float], No
 
     Parameters
     ----------
-    worn : Worn
+    worn : WornGarment
     places_m : (S, N, 3)
         All frames from the motion's first on, at least two cycles more than `SETTLING`.
     progress : callable

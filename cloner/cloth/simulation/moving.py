@@ -62,10 +62,10 @@ class WornGarment:
     ----------
     cloth : Cloth
     sheet : Sheet
-    core : Core
+    core : ClothEngine
         Its engine.
     body : Wearer
-    band : Band
+    band : HeldBand
     root_m, rotations : (F, 3) and (F, 94, 3)
         One cycle of the motion.
     speed_m_s : float

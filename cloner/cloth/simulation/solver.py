@@ -51,7 +51,7 @@ class Sheet:
     faces : (T, 3) int64
     mass_kg : (N,) float64
     area_m2 : (T,) float64
-    stretch, bend : Threads
+    stretch, bend : DistanceConstraints
     edges : (E, 2) int64, rest_m : (E,) float64
     held : (P,) int64
         Vertices that the body holds.
@@ -199,7 +199,7 @@ def step(
 
     Parameters
     ----------
-    core : Core
+    core : ClothEngine
         The garment's (`make_engine`).
     fabric : Fabric
     state : State
@@ -212,7 +212,7 @@ def step(
     substeps : int
     wind_m_s : (3,)
         Speed of the air.
-    lead : Lead or None
+    lead : LoopTarget or None
     fastest_m_s : float
     """
     now = core.arrays

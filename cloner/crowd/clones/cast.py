@@ -10,22 +10,22 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.clips import Clip, clips_of
-from cloner.crowd.clones.faces import face_moves
+from cloner.crowd.clones.clips import Clip, make_clips
+from cloner.crowd.clones.faces import face_offsets
 from cloner.crowd.clones.flowing import skin_simulated_cloth
 from cloner.crowd.clones.groups import (
     GROUPS,
     STEP,
     GroupLook,
     garment_masks,
-    looks_of,
-    marks_of,
-    smaller,
+    group_looks,
+    reduced,
+    shader_codes,
     texel_groups,
     triangle_groups,
 )
 from cloner.crowd.clones.hems import refine_hems
-from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
+from cloner.crowd.clones.levels import LOOSE, BodyLevels, LooseShells, shell_levels
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
 from cloner.records.arrays import Array
@@ -58,7 +58,7 @@ class CrowdClone:
     identifier : str
     stature_m : float
     vertices_m, normals : (V, 3) float64 of the wedges of :class:`BodyLevels`, rest pose
-    loose : Loose
+    loose : LooseShells
     clips : tuple of Clip
     atlas : (A, A, 3) uint8, codes : (A, A) uint8
     marks : (A, A) uint8
@@ -74,14 +74,14 @@ class CrowdClone:
     stone : (A, A, 3) uint8, stone_shell : (B, 2 B, 3) uint8, or None
         Atlas and shells as a statue's.
     face : (K, N, 3) int16 or None
-        How it moves; see :func:`cloner.crowd.clones.faces.face_moves`.
+        How it moves; see :func:`cloner.crowd.clones.faces.face_offsets`.
     """
 
     identifier: str
     stature_m: float
     vertices_m: Array
     normals: Array
-    loose: Loose
+    loose: LooseShells
     clips: tuple[Clip, ...]
     atlas: Pixels
     codes: Pixels
@@ -121,9 +121,9 @@ def make_crowd_clone(
         If a captured walk cannot be laid on.
     """
     groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
-    atlas = smaller(clone.atlas.rgb, atlas_px)
+    atlas = reduced(clone.atlas.rgb, atlas_px)
     codes = refine_hems(atlas, texel_groups(groups, atlas_px))
-    clips = clips_of(clone, poses, walks, feelings=feelings)
+    clips = make_clips(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
     vertices_m, outward, hung = clone.vertices_m, surface_normals(clone.vertices_m), ""
     if flow is not None:
@@ -133,45 +133,45 @@ def make_crowd_clone(
         hung = "top" if shells[place].vertices_m[:, 1].max() > CHEST[0] * clone.stature_m else "bottom"
     normals = outward[body.vertex]
     shell = _shell_picture(shells)
-    looks = looks_of(atlas, codes)
+    looks = group_looks(atlas, codes)
     if flow is not None:
-        looks[hung] = _own_look(shell, hung)
+        looks[hung] = _loose_cloth_look(shell, hung)
     return CrowdClone(
         identifier,
         clone.stature_m,
         vertices_m[body.vertex],
         normals / np.linalg.norm(normals, axis=1, keepdims=True),
-        _loose(shells, len(body.triangles), clips[0], budgets),
+        _merge_loose_shells(shells, len(body.triangles), clips[0], budgets),
         clips,
         atlas,
         codes,
-        marks_of(codes),
+        shader_codes(codes),
         shell,
         looks,
         groups,
         _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),
-        hung or _hung(shell, atlas, codes),
-        smaller(statue.atlas.rgb, atlas_px) if statue else None,
+        hung or _loose_garment(shell, atlas, codes),
+        reduced(statue.atlas.rgb, atlas_px) if statue else None,
         _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
-        face_moves(clone, body) if faces else None,
+        face_offsets(clone, body) if faces else None,
     )
 
 
-def posed(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: Array) -> Array:
-    """Return (N, 3) vertices moved by one frame of bones (J, 3, 4), metres."""
+def skin_vertices(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: Array) -> Array:
+    """Return (N, 3) vertices skinned by one frame of bones (J, 3, 4), metres."""
     blended = np.einsum("nk,nkab->nab", weights, frame[joints])
     return np.asarray(np.einsum("nab,nb->na", blended[:, :, :3], vertices_m) + blended[:, :, 3])
 
 
-def _own_look(shell: Pixels, group: str) -> GroupLook:
+def _loose_cloth_look(shell: Pixels, group: str) -> GroupLook:
     """Return the look of attached cloth by its own picture, as another garment lies below it."""
     cloth = shell[:, SHELL_PX:]
     codes = np.where(cloth[..., 3] > 127, STEP * (GROUPS.index(group) + 1), 0).astype(np.uint8)
-    return looks_of(cloth[..., :3], codes)[group]
+    return group_looks(cloth[..., :3], codes)[group]
 
 
-def _hung(shell: Pixels, atlas: Pixels, codes: Pixels) -> str:
-    """Return the garment that goes on as a clone's loose cloth, "" without any: top where it has the coat's colour."""
+def _loose_garment(shell: Pixels, atlas: Pixels, codes: Pixels) -> str:
+    """Return the garment that a clone's loose cloth replaces, "" without any: the top if it has the coat's colour."""
     cloth = shell[:, SHELL_PX:].reshape(-1, 4)
     shown = cloth[cloth[:, 3] > 127, :3]
     if not len(shown):
@@ -182,21 +182,21 @@ def _hung(shell: Pixels, atlas: Pixels, codes: Pixels) -> str:
 
 
 def _width_to_depth(vertices_m: Array, body: BodyLevels, walk: Clip, stature_m: float) -> float:
-    """Return the width of the trunk with arms against its depth, at the chest, in the middle of all walking poses."""
+    """Return the width of the trunk with arms relative to its depth, at the chest, median over all walking poses."""
     ratios = []
     for frame in walk.frames[:: max(len(walk.frames) // 8, 1)]:
-        points = posed(vertices_m, body.joints, body.weights, frame)
+        points = skin_vertices(vertices_m, body.joints, body.weights, frame)
         chest = points[(points[:, 1] > CHEST[0] * stature_m) & (points[:, 1] < CHEST[1] * stature_m)]
         ratios.append(np.ptp(chest[:, 0]) / np.ptp(chest[:, 2]))
     return float(np.median(ratios))
 
 
-def _loose(shells: Sequence[Shell], levels: int, walk: Clip, budgets: Sequence[int]) -> Loose:
-    """Return all shells as one mesh: who has hair and a skirt has triangles where they show most."""
+def _merge_loose_shells(shells: Sequence[Shell], levels: int, walk: Clip, budgets: Sequence[int]) -> LooseShells:
+    """Return all shells as one mesh: hair and a skirt share the triangles where they are seen most."""
     if not shells:
         none = np.zeros((0, 3))
         empty = np.zeros((0, 4))
-        return Loose(
+        return LooseShells(
             none, none[:, :2], empty.astype(np.int64), empty, none, np.zeros(0, bool),
             tuple(np.zeros((0, 3), np.int32) for _ in range(levels)),
         )  # fmt: skip
@@ -210,8 +210,8 @@ def _loose(shells: Sequence[Shell], levels: int, walk: Clip, budgets: Sequence[i
     places = np.concatenate([shell.vertices_m for shell in shells])
     joints = np.concatenate([shell.skin_joints for shell in shells]).astype(np.int64)
     strides = walk.frames[:: max(len(walk.frames) // STRIDES, 1)][:STRIDES]
-    fewer = shell_levels(places, whole, budgets, [posed(places, joints, weights, frame) for frame in strides])
-    return Loose(
+    fewer = shell_levels(places, whole, budgets, [skin_vertices(places, joints, weights, frame) for frame in strides])
+    return LooseShells(
         places,
         np.column_stack([uv[:, 0] * 0.5 + np.where(cloth, 0.5, 0.0), uv[:, 1]]),
         joints,
@@ -223,7 +223,7 @@ def _loose(shells: Sequence[Shell], levels: int, walk: Clip, budgets: Sequence[i
 
 
 def _shell_picture(shells: Sequence[Shell]) -> Pixels:
-    """Return the shells' pictures side by side; a second shell of a kind shares the first one's picture."""
+    """Return the shells' pictures side by side; shells of one kind share the first one's picture."""
     picture = np.zeros((SHELL_PX, 2 * SHELL_PX, 4), np.uint8)
     for shell in reversed(shells):
         left = SHELL_PX if shell.kind == "cloth" else 0
@@ -232,9 +232,11 @@ def _shell_picture(shells: Sequence[Shell]) -> Pixels:
 
 
 def _shrunk(rgba: Pixels) -> Pixels:
-    """Return a picture with alpha reduced to SHELL_PX; colours count by their alpha, and go on where nothing covers."""
+    """Return a picture with alpha reduced to SHELL_PX; colours are averaged by alpha, and extended where nothing
+    covers.
+    """
     alpha = rgba[..., 3:].astype(np.float64) / 255.0
-    small = smaller(np.dstack([rgba[..., :3] * alpha, alpha]), SHELL_PX)
+    small = reduced(np.dstack([rgba[..., :3] * alpha, alpha]), SHELL_PX)
     colour = small[..., :3] / np.maximum(small[..., 3:], 1e-6)
     mean = (rgba[..., :3] * alpha).sum(axis=(0, 1)) / max(float(alpha.sum()), 1e-6)
     colour = np.where(small[..., 3:] > 1.0 / 255.0, colour, mean)

@@ -79,8 +79,8 @@ class Clip:
     far: str = ""
 
 
-def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: bool = False) -> tuple[Clip, ...]:
-    """Return walk, idle, sitting, the walks of feelings and the acts where asked, and the captured walks of a clone.
+def make_clips(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: bool = False) -> tuple[Clip, ...]:
+    """Return walk, idle, sitting, the walks of feelings and the acts if requested, and the captured walks of a clone.
 
     Raises
     ------
@@ -89,37 +89,39 @@ def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: 
     """
     body = body_of(clone)
     found = [
-        _clip(clone, walked(body, suited(REGULAR, clone.sex, clone.age_years)), poses),
-        _clip(clone, resampled(idle(body), IDLE_FRAMES), IDLE_POSES),
-        _clip(clone, resampled(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
+        _clip(clone, sample_walk(body, suited(REGULAR, clone.sex, clone.age_years)), poses),
+        _clip(clone, resample_motion(idle(body), IDLE_FRAMES), IDLE_POSES),
+        _clip(clone, resample_motion(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
     ]
     if feelings:
         others = [*(style for style in STYLES.values() if style is not REGULAR), RUN]
         own = [suited(style, clone.sex, clone.age_years) for style in others]
-        found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in own]
-        found += [_clip(clone, resampled(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
-    return (*found, *(_clip(clone, resampled(capture_cycle(body, path), WALK_FRAMES), poses) for path in walks))
+        found += [_clip(clone, sample_walk(body, style), poses, far=found[0].name) for style in own]
+        found += [
+            _clip(clone, resample_motion(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()
+        ]
+    return (*found, *(_clip(clone, resample_motion(capture_cycle(body, path), WALK_FRAMES), poses) for path in walks))
 
 
-def walked(body: Body, style: Style) -> Motion:
-    """Return a walk in as many frames as are shown, its feet planted between these.
+def sample_walk(body: Body, style: Style) -> Motion:
+    """Return a walk at the shown frames, its feet planted between them.
 
     Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next. Whoever is
     shown between frames as well is seen low above the ground when a foot has just left it: it rises for two.
     """
-    motion = resampled(walk(body, style), WALK_FRAMES)
+    motion = resample_motion(walk(body, style), WALK_FRAMES)
     return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style), straight=2)
 
 
-def resampled(motion: Motion, count: int) -> Motion:
-    """Return a motion in so many frames, and once more the first."""
+def resample_motion(motion: Motion, count: int) -> Motion:
+    """Return a motion with a number of frames, and the first once more."""
     at = np.arange(count + 1) * float(motion.times_s[-1]) / count
     rotations, root = posed_at(motion, at)
     return Motion(motion.name, at, root, rotations, cyclic=True, speed_m_s=motion.speed_m_s)
 
 
 def capture_cycle(body: Body, path: Path) -> Motion:
-    """Return a capture as an endless walk on the spot.
+    """Return a motion capture as an endless walk on the spot.
 
     Raises
     ------
@@ -132,7 +134,7 @@ def capture_cycle(body: Body, path: Path) -> Motion:
 
 
 def sitting(body: Body) -> Motion:
-    """Return somebody sitting upright on a bench, hands on the thighs; one frame that lasts a second.
+    """Return a person sitting upright on a bench, hands on the thighs; one frame that lasts a second.
 
     Feet are as far apart as in standing: who sits down or gets up moves neither.
     """
@@ -160,7 +162,7 @@ def bone_frames(clone: Clone, root_m: Array, rotations: Array) -> Array:
 
 
 def _clip(clone: Clone, motion: Motion, poses: int, *, around: bool = True, far: str = "") -> Clip:
-    """Return a motion whose last frame is its first one as a clip."""
+    """Return a motion whose last frame equals its first as a clip."""
     rotations, root = motion.rotations[:-1], motion.root_m[:-1]
     frames = bone_frames(clone, root, rotations)
     seconds, count = float(motion.times_s[-1]), len(frames)

@@ -35,7 +35,7 @@ STEP_M: Final = 1e-6
 
 
 @functools.cache
-def _moving() -> NDArray[np.int64]:
+def _face_vertices() -> NDArray[np.int64]:
     """Return the generic human's vertices that speech or any feeling moves."""
     generic = load_generic()
     found = []
@@ -43,25 +43,27 @@ def _moving() -> NDArray[np.int64]:
         (generic.arkit_names, generic.arkit_start, generic.arkit_index),
         (generic.viseme_names, generic.viseme_start, generic.viseme_index),
     ):
-        found += [index[start[k] : start[k + 1]] for k, name in enumerate(names) if name in {*TARGETS, *_shown()}]
+        found += [
+            index[start[k] : start[k + 1]] for k, name in enumerate(names) if name in {*TARGETS, *_feeling_weights()}
+        ]
     return np.unique(np.concatenate(found)).astype(np.int64)
 
 
 def face_wedges(body: BodyLevels) -> NDArray[np.int64]:
     """Return (N,) the wedges that faces move."""
-    return np.flatnonzero(np.isin(body.vertex, _moving()))
+    return np.flatnonzero(np.isin(body.vertex, _face_vertices()))
 
 
 def face_rows(body: BodyLevels) -> NDArray[np.uint16]:
-    """Return (V,) where each wedge lies among those that faces move, from 1; 0 for those that stay."""
+    """Return (V,) each wedge's number among those that faces move, from 1; 0 for the others."""
     wedges, rows = face_wedges(body), np.zeros(len(body.vertex), np.uint16)
     rows[wedges] = np.arange(1, len(wedges) + 1)
     return rows
 
 
-def face_moves(clone: Clone, body: BodyLevels) -> NDArray[np.int16]:
-    """Return (WEIGHTS + feelings, N, 3) how far each target moves the wedges of :func:`face_wedges`, in `STEP_M`."""
-    vertices, shown = body.vertex[face_wedges(body)], _shown()
+def face_offsets(clone: Clone, body: BodyLevels) -> NDArray[np.int16]:
+    """Return (WEIGHTS + feelings, N, 3) the offset of each wedge of :func:`face_wedges` by target, in `STEP_M`."""
+    vertices, shown = body.vertex[face_wedges(body)], _feeling_weights()
     out = np.zeros((WEIGHTS + len(FEELINGS), len(vertices), 3))
     for name, offsets in target_offsets(clone):
         if name in TARGETS:
@@ -72,8 +74,8 @@ def face_moves(clone: Clone, body: BodyLevels) -> NDArray[np.int16]:
 
 
 @functools.cache
-def _shown() -> Mapping[str, tuple[float, ...]]:
-    """Return how strongly each feeling shows the targets that any of them has."""
+def _feeling_weights() -> Mapping[str, tuple[float, ...]]:
+    """Return each feeling's weights of the targets that any of them uses."""
     names = {name for parts in FEELINGS.values() for part in parts for name in EXPRESSIONS[part]}
     return {
         name: tuple(

@@ -42,7 +42,7 @@ class _Mesh:
 
 
 def simplify(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -> NDArray[np.int32]:
-    """Return at most ``most`` triangles (T, 3) of the given ones' vertices.
+    """Return at most ``most`` triangles (T, 3) that use the given triangles' vertices.
 
     Parameters
     ----------
@@ -58,13 +58,13 @@ def simplify(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int
     count, own = connected_components(graph, directed=False)
     own = own.astype(np.int64)
     faces, charts = weld[triangles].astype(np.int64), own[triangles[:, 0]]
-    solid = _solid(faces)
+    solid = _merge_opposite(faces)
     faces, charts = faces[solid], charts[solid]
     held = np.unique(weld * count + own)
     mesh = _Mesh(places, faces, charts, held, int(count), np.stack([_quadrics(one, faces) for one in places]))
     tried, cosine = _TRIED, LEAST_COSINE
     while len(mesh.faces) > most:
-        if _round(mesh, most, tried, cosine):
+        if _collapse_round(mesh, most, tried, cosine):
             continue
         if tried == _TRIED:  # tear charts if it must be
             tried = len(mesh.faces)
@@ -75,7 +75,7 @@ def simplify(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int
     return _vertices(mesh, weld, own)[:most]
 
 
-def _solid(faces: Whole) -> NDArray[np.bool_]:
+def _merge_opposite(faces: Whole) -> NDArray[np.bool_]:
     a, b, c = faces.T
     return np.asarray((a != b) & (b != c) & (c != a))
 
@@ -86,7 +86,7 @@ def _planes(normals: Array, points: Array, weights: Array) -> Array:
 
 
 def _quadrics(places: Array, faces: Whole) -> Array:
-    """Return (P, 4, 4): squared distances to the planes of a place's triangles and through its open edges."""
+    """Return (P, 4, 4) quadrics: squared distances to the planes of a point's triangles and through its open edges."""
     normals = triangle_normals(places, faces)
     area = np.linalg.norm(normals, axis=1)
     normals /= np.maximum(area, 1e-20)[:, None]
@@ -106,8 +106,8 @@ def _quadrics(places: Array, faces: Whole) -> Array:
     return out
 
 
-def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
-    """Collapse the cheapest pairs that do not touch one another; return how many."""
+def _collapse_round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
+    """Collapse the cheapest pairs that do not touch one another; return their number."""
     places, faces = mesh.places[0], mesh.faces
     edges, _ = edges_of(faces)
     ways = np.concatenate([edges, edges[:, ::-1]])  # the first goes to the second
@@ -135,13 +135,13 @@ def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
         if done == wanted:
             break
     mesh.faces = goes[faces]
-    solid = _solid(mesh.faces)
+    solid = _merge_opposite(mesh.faces)
     mesh.faces, mesh.charts = mesh.faces[solid], mesh.charts[solid]
     return done
 
 
 def _refused(mesh: _Mesh, ways: Whole, starts: Whole, around: Whole, cosine: float, most: Array) -> NDArray[np.bool_]:
-    """Return which collapses (N, 2) turn a triangle too far, or to nothing, or tear charts for more than they may cost.
+    """Return which collapses (N, 2) flip or degenerate a triangle, or tear charts at more than their cost.
 
     A triangle is torn that gets a corner at a place where its chart has none. Collapses of one round touch no triangle
     of one another, so all are judged as they lie.
@@ -164,7 +164,7 @@ def _refused(mesh: _Mesh, ways: Whole, starts: Whole, around: Whole, cosine: flo
 
 
 def _vertices(mesh: _Mesh, weld: Whole, own: Whole) -> NDArray[np.int32]:
-    """Return a vertex for every corner: its place's in the triangle's chart, any of the place's where there is none."""
+    """Return a vertex for every corner: its point's in the triangle's chart, any of the point's if there is none."""
     codes = weld * mesh.count + own
     order = np.argsort(codes, kind="stable")
     wanted = mesh.faces * mesh.count + mesh.charts[:, None]

@@ -53,13 +53,13 @@ def skin_simulated_cloth(
     frames = bone_frames(clone, flow.root_m.astype(np.float64), flow.rotations.astype(np.float64))
     bones, joints, weights = decompose_skinning(shell.vertices_m, flow.frames_m.astype(np.float64))
     share = _shares(shell, joints, weights, frames.shape[1])
-    beside = _after(_inverse(_blended(frames, share)), bones)
+    beside = _composed(_inverse(_blended(frames, share)), bones)
     moved = []
     for clip in clips:
         carried, count = _blended(clip.frames, share), len(clip.frames)
         if clip.speed_m_s > 0.0:
             at = np.arange(count) * len(beside) / count
-            carried = _after(carried, _between(beside, at))
+            carried = _composed(carried, _interpolated(beside, at))
         moved.append(replace(clip, frames=np.concatenate([clip.frames, carried], axis=1)))
     own = replace(shell, skin_joints=(joints + frames.shape[1]).astype(np.int32), skin_weights=weights)
     return own, tuple(moved)
@@ -85,14 +85,14 @@ def decompose_skinning(rest_m: Array, frames_m: Array) -> tuple[Array, NDArray[n
 
 
 def _bones(rest: Array, frames: Array) -> Array:
-    """Return (F, K, 3, 4) bones that carry rest (N, 3) to frames (F, N, 3) best."""
+    """Return the (F, K, 3, 4) bones that best carry rest (N, 3) to frames (F, N, 3)."""
     seen = np.concatenate([rest, frames.transpose(1, 0, 2).reshape(len(rest), -1)], axis=1)
     _, owner = kmeans2(seen, min(BONES, len(rest)), minit="++", seed=2012)
     owner = np.unique(owner, return_inverse=True)[1].reshape(-1)
     count = int(owner.max()) + 1
     weight = np.zeros((len(rest), count))
     weight[np.arange(len(rest)), owner] = 1.0
-    bones = np.stack([_rigid(rest, frames, weight[:, k] ** 2) for k in range(count)], axis=1)
+    bones = np.stack([_kabsch(rest, frames, weight[:, k] ** 2) for k in range(count)], axis=1)
     for _ in range(ROUNDS):
         joints, found = _weights(rest, frames, bones)
         weight = np.zeros((len(rest), count))
@@ -102,31 +102,31 @@ def _bones(rest: Array, frames: Array) -> Array:
         for k in np.flatnonzero((weight**2).sum(axis=0) > 1e-3):
             own = np.flatnonzero(weight[:, k] > 1e-3)
             lack = frames[:, own] - total[:, own] + weight[own, k, None] * moved[:, k, own]
-            bones[:, k] = _rigid(rest[own], lack / weight[own, k, None], weight[own, k] ** 2)
+            bones[:, k] = _kabsch(rest[own], lack / weight[own, k, None], weight[own, k] ** 2)
             again = np.einsum("fab,nb->fna", bones[:, k, :, :3], rest) + bones[:, k, None, :, 3]
             total += weight[:, k, None] * (again - moved[:, k])
             moved[:, k] = again
     return bones
 
 
-def _turn(matrices: Array) -> Array:
+def _nearest_rotations(matrices: Array) -> Array:
     """Return the rotations nearest to matrices (..., 3, 3)."""
     left, _, right = np.linalg.svd(matrices)
     left[..., 2] *= np.linalg.det(left @ right)[..., None]
     return np.asarray(left @ right)
 
 
-def _straightened(mean: Array) -> Array:
-    """Return the rigid transforms nearest to means of such (..., 3, 4)."""
-    return np.concatenate([_turn(mean[..., :3]), mean[..., 3:]], axis=-1)
+def _nearest_rigid(mean: Array) -> Array:
+    """Return the rigid transforms nearest to averaged ones (..., 3, 4)."""
+    return np.concatenate([_nearest_rotations(mean[..., :3]), mean[..., 3:]], axis=-1)
 
 
-def _rigid(rest: Array, frames: Array, weight: Array) -> Array:
-    """Return (F, 3, 4) turns and shifts that bring rest (N, 3) to frames (F, N, 3) best (Kabsch)."""
+def _kabsch(rest: Array, frames: Array, weight: Array) -> Array:
+    """Return the (F, 3, 4) rigid transforms that best bring rest (N, 3) to frames (F, N, 3) (Kabsch)."""
     share = weight / max(float(weight.sum()), 1e-12)
     middle, middles = share @ rest, np.einsum("n,fna->fa", share, frames)
     cross = np.einsum("n,fna,nb->fab", share, frames - middles[:, None], rest - middle)
-    turn = _turn(cross)
+    turn = _nearest_rotations(cross)
     return np.concatenate([turn, (middles - turn @ middle)[:, :, None]], axis=2)
 
 
@@ -151,7 +151,7 @@ def _weights(rest: Array, frames: Array, bones: Array) -> tuple[NDArray[np.int64
 
 
 def _shares(shell: Shell, joints: NDArray[np.int64], weights: Array, count: int) -> Array:
-    """Return (K, J) how much of each of the skeleton's joints carries each bone of the cloth."""
+    """Return (K, J) the share of each of the skeleton's joints in each bone of the cloth."""
     own = dense_weights(shell.skin_joints, shell.skin_weights, count)
     share = np.zeros((int(joints.max()) + 1, count))
     np.add.at(share, joints.reshape(-1), weights.reshape(-1, 1) * np.repeat(own, joints.shape[1], axis=0))
@@ -160,7 +160,7 @@ def _shares(shell: Shell, joints: NDArray[np.int64], weights: Array, count: int)
 
 def _blended(frames: Array, share: Array) -> Array:
     """Return (F, K, 3, 4) rigid means of the skeleton's frames (F, J, 3, 4)."""
-    return _straightened(np.einsum("kj,fjab->fkab", share, frames))
+    return _nearest_rigid(np.einsum("kj,fjab->fkab", share, frames))
 
 
 def _inverse(rigid: Array) -> Array:
@@ -168,15 +168,15 @@ def _inverse(rigid: Array) -> Array:
     return np.concatenate([turn, -turn @ rigid[..., 3:]], axis=-1)
 
 
-def _after(first: Array, then: Array) -> Array:
-    """Return ``first`` of ``then``: what rigid (..., 3, 4) transforms do one after the other."""
+def _composed(first: Array, then: Array) -> Array:
+    """Return the composition of rigid (..., 3, 4) transforms: ``first``, then ``then``."""
     shift = first[..., :3] @ then[..., 3:] + first[..., 3:]
     return np.concatenate([first[..., :3] @ then[..., :3], shift], axis=-1)
 
 
-def _between(cycle: Array, at: Array) -> Array:
-    """Return a cycle's rigid transforms (F, K, 3, 4) at frames between its own."""
+def _interpolated(cycle: Array, at: Array) -> Array:
+    """Return a cycle's rigid transforms (F, K, 3, 4) at times between its frames."""
     low = np.floor(at).astype(np.int64)
     share = (at - low)[:, None, None, None]
     mean = (1.0 - share) * cycle[low % len(cycle)] + share * cycle[(low + 1) % len(cycle)]
-    return _straightened(mean)
+    return _nearest_rigid(mean)

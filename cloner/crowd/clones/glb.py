@@ -16,7 +16,7 @@ from cloner import __version__
 from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.groups import sorted_by_group
-from cloner.crowd.clones.levels import BodyLevels, nested
+from cloner.crowd.clones.levels import BodyLevels, vertex_order
 from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf import add_skeleton, add_texture
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
@@ -34,7 +34,7 @@ _LINEAR, _TRILINEAR, _CLAMP = 9729, 9987, 33071
 
 
 def levels_glb(cast: CrowdClone, clone: Clone, body: BodyLevels) -> bytes:
-    """Return a clone's levels as a file's content.
+    """Return a clone's levels as a GLB file's content.
 
     Parameters
     ----------
@@ -59,9 +59,9 @@ def levels_glb(cast: CrowdClone, clone: Clone, body: BodyLevels) -> bytes:
         shell = _material(gltf, buffer, "loose", png_bytes(cast.shell), "image/png", "MASK")
     own = _shared(buffer, cast.vertices_m, cast.normals, body.uv, bones.carried(body.joints, body.weights))
     own_loose = None
-    order, sizes = nested(loose.triangles)
+    order, sizes = vertex_order(loose.triangles)
     if shell is not None:
-        carried = _loose_carried(bones, loose.joints[order], loose.weights[order], skeleton)
+        carried = _loose_weights(bones, loose.joints[order], loose.weights[order], skeleton)
         own_loose = _shared(buffer, loose.vertices_m[order], loose.normals[order], loose.uv[order], carried)
         place = np.zeros(len(loose.vertices_m), np.int32)
         place[order] = np.arange(len(order))
@@ -93,10 +93,10 @@ def levels_glb(cast: CrowdClone, clone: Clone, body: BodyLevels) -> bytes:
     return glb_bytes(gltf)
 
 
-def _loose_carried(
+def _loose_weights(
     bones: Bones, joints: NDArray[np.int64], weights: Array, skeleton: int
 ) -> tuple[NDArray[np.int64], Array]:
-    """Return bones and weights (N, 4) of loose vertices: the skeleton's, and after these the cloth's own."""
+    """Return bones and weights (N, 4) of loose vertices: the skeleton's, followed by the cloth's own."""
     found, share = bones.carried(np.minimum(joints, skeleton - 1), weights)
     flows = joints[:, 0] >= skeleton
     found[flows], share[flows] = joints[flows] - skeleton + len(bones.names), weights[flows]
@@ -106,7 +106,7 @@ def _loose_carried(
 def _shared(
     buffer: GltfBuffer, places: Array, normals: Array, uv: Array, carried: tuple[NDArray[np.int64], Array]
 ) -> Any:
-    """Return a function that gives the attributes of the first so many vertices, all in the same views."""
+    """Return a function that gives the attributes of the first vertices, all in the same buffer views."""
     joints, weights = carried
     columns: dict[str, NDArray[Any]] = {
         "POSITION": places.astype(np.float32), "NORMAL": normals.astype(np.float32),

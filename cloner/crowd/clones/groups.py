@@ -49,7 +49,7 @@ _FROM_REGION: Final = {"hair": "hair", "eyes": "eyes", "mouth": "mouth", "upper_
 
 
 def triangle_groups(clone: Clone) -> NDArray[np.uint8]:
-    """Return the place in `GROUPS` of each triangle of the generic human, (T,), as this clone is dressed."""
+    """Return the index in `GROUPS` of each triangle of the generic human, (T,), as this clone is dressed."""
     skin = _skin_groups().copy()
     for region, group in _FROM_REGION.items():
         skin[clone.triangle_regions == REGIONS.index(region)] = GROUPS.index(group)
@@ -58,7 +58,7 @@ def triangle_groups(clone: Clone) -> NDArray[np.uint8]:
 
 @functools.cache
 def _skin_groups() -> NDArray[np.uint8]:
-    """Return (T,) the group of each triangle where it is naked."""
+    """Return (T,) the group of each triangle of a naked body."""
     generic = load_generic()
     triangles, _ = generic.triangles()
     group = np.full(len(triangles), GROUPS.index("head"), np.uint8)
@@ -80,7 +80,7 @@ def _skin_groups() -> NDArray[np.uint8]:
 
 
 def _nails(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) which vertices lie on fingernails: on the back of the end of each finger's last joint."""
+    """Return (V,) which vertices lie on fingernails: on the back of each finger's last phalanx."""
     found = np.zeros(len(generic.vertices_m), bool)
     places = generic.vertices_m.astype(np.float64)
     heaviest = np.take_along_axis(generic.skin_joints, generic.skin_weights.argmax(axis=1)[:, None], axis=1)[:, 0]
@@ -106,7 +106,7 @@ def _nails(generic: GenericHuman) -> NDArray[np.bool_]:
 
 
 def _back(generic: GenericHuman, side: str, axis: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the unit direction of a finger's back: square to the finger, away from the palm."""
+    """Return the unit direction of a finger's back: perpendicular to the finger, away from the palm."""
     palm = palm_normal(generic, side)
     back = -palm + (palm @ axis) * axis
     return np.asarray(back / np.linalg.norm(back))
@@ -123,8 +123,8 @@ def garment_masks(codes: NDArray[np.uint8]) -> dict[str, NDArray[np.bool_]]:
     return {name: codes == STEP * (GROUPS.index(name) + 1) for name in WORN}
 
 
-def marks_of(codes: Pixels) -> Pixels:
-    """Return the codes as the shaders read them: `ZONE_STEP` more a zone, and grown beyond the charts."""
+def shader_codes(codes: Pixels) -> Pixels:
+    """Return the codes as shaders read them: `ZONE_STEP` added per zone, and extended beyond the charts."""
     marked = codes + np.where(codes > 0, ZONE_STEP * zone_texels(len(codes)), 0).astype(np.uint8)
     away, (row, column) = distance_transform_edt(codes == 0, return_indices=True)
     return np.where(away <= GROWN, marked[row, column], 0).astype(np.uint8)
@@ -133,7 +133,7 @@ def marks_of(codes: Pixels) -> Pixels:
 def sorted_by_group(
     triangles: NDArray[np.int32], uv: NDArray[np.float64], codes: Pixels
 ) -> tuple[NDArray[np.int32], dict[str, tuple[int, int]]]:
-    """Return triangles (T, 3) in the order of their groups, and each group's first triangle and how many it has.
+    """Return triangles (T, 3) sorted by group, and each group's first triangle and count.
 
     A triangle belongs where its middle lies in the atlas; parts of another texture than the atlas count as hair.
     """
@@ -151,7 +151,7 @@ def sorted_by_group(
 
 @dataclass(frozen=True, slots=True)
 class GroupLook:
-    """How one group of one clone looks.
+    """Colours of one group of one clone.
 
     Attributes
     ----------
@@ -183,8 +183,8 @@ def luma(rgb: NDArray[np.integer]) -> NDArray[np.float64]:
     return np.asarray(rgb @ _LUMA)
 
 
-def looks_of(rgb: Pixels, codes: Pixels) -> dict[str, GroupLook]:
-    """Return the look of each group that is seen, from an atlas and its codes of the same size."""
+def group_looks(rgb: Pixels, codes: Pixels) -> dict[str, GroupLook]:
+    """Return the look of each visible group, from an atlas and its codes of the same size."""
     found = {}
     painted = max(int((codes > 0).sum()), 1)
     for number, name in enumerate(GROUPS):
@@ -246,7 +246,7 @@ def exchange_garment(
 
 
 def skin_colours(rgb: Pixels, codes: Pixels) -> dict[str, NDArray[np.uint8]]:
-    """Return the median colour of the skin of head, arms and legs; those all covered take the nearest that shows."""
+    """Return the median skin colour of head, arms and legs; covered ones take the nearest visible one's."""
     found: dict[str, NDArray[np.uint8]] = {}
     for name in ("arms", "legs", "head"):
         own = codes == STEP * (GROUPS.index(name) + 1)
@@ -261,6 +261,6 @@ def _naked_codes(size: int) -> Pixels:
     return texel_groups(_skin_groups(), size)
 
 
-def smaller(rgb: Pixels, size: int) -> Pixels:
-    """Return an (S, S, k) picture reduced to (size, size, k) by areas."""
+def reduced(rgb: Pixels, size: int) -> Pixels:
+    """Return an (S, S, k) picture reduced to (size, size, k) by area averaging."""
     return rgb if rgb.shape[0] == size else np.asarray(cv2.resize(rgb, (size, size), interpolation=cv2.INTER_AREA))

@@ -48,7 +48,7 @@ def refine_hems(rgb: Pixels, codes: Pixels) -> Pixels:
     charts = codes > 0
     held = [STEP * (GROUPS.index(name) + 1) for name in _SEEN]
     held = [code for code in held if (codes == code).any()]
-    reach = [_grown(codes == code, BAND * scale, charts) for code in held]
+    reach = [_dilated_in_chart(codes == code, BAND * scale, charts) for code in held]
     worn = [code for code in held if GROUPS[code // STEP - 1] in WORN]
     band = (np.sum(reach, axis=0) > 1) & np.any([reach[held.index(code)] for code in worn], axis=0) if worn else None
     if band is None or not band.any():
@@ -64,14 +64,14 @@ def refine_hems(rgb: Pixels, codes: Pixels) -> Pixels:
     return np.where(band & own & ~skins, best, codes).astype(np.uint8)
 
 
-def _grown(mask: _Mask, texels: float, charts: _Mask) -> _Mask:
-    """Return a mask with what lies so near it in the same chart."""
+def _dilated_in_chart(mask: _Mask, texels: float, charts: _Mask) -> _Mask:
+    """Return a mask dilated within its charts."""
     return np.asarray(binary_dilation(mask, iterations=max(round(texels), 1), mask=charts))
 
 
 def _cost(lab: NDArray[np.float32], codes: Pixels, code: int, scale: float) -> tuple[Array, _Mask]:
-    """Return how unlikely each texel's colour is among those of a group around it, and where any are around."""
-    sure = (codes == code) & ~_grown((codes > 0) & (codes != code), _UNSURE * scale, codes > 0)
+    """Return how unlikely each texel's colour is among those of a group around it, and where there are any."""
+    sure = (codes == code) & ~_dilated_in_chart((codes > 0) & (codes != code), _UNSURE * scale, codes > 0)
     weight = sure.astype(np.float32)
     around = _AROUND * scale
     near = cv2.GaussianBlur(weight, (0, 0), around)
@@ -84,7 +84,7 @@ def _cost(lab: NDArray[np.float32], codes: Pixels, code: int, scale: float) -> t
 
 
 def _mean(summed: NDArray[np.floating], weight: NDArray[np.float32], sigma: float) -> Array:
-    """Return the mean around each texel of values that are times their weights already."""
+    """Return the local mean around each texel of values that are already weighted."""
     below = np.maximum(cv2.GaussianBlur(weight, (0, 0), sigma), 1e-6)
     total = cv2.GaussianBlur(summed.astype(np.float32), (0, 0), sigma)
     return np.asarray(total / (below[..., None] if total.ndim > 2 else below), np.float64)

@@ -56,8 +56,8 @@ class BodyLevels:
     counts: tuple[int, ...]
 
 
-def budgets_in(told: Any) -> tuple[int, ...]:
-    """Return the loose shells' triangles of each level that a pack tells of.
+def read_budgets(told: Any) -> tuple[int, ...]:
+    """Return the loose shells' triangles per level in a pack's description.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def budgets_in(told: Any) -> tuple[int, ...]:
 
 @functools.cache
 def body_levels(*, full: bool = False, mouth: bool = False) -> BodyLevels:
-    """Return the shipped lists.
+    """Return the shipped levels.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def body_levels(*, full: bool = False, mouth: bool = False) -> BodyLevels:
         levels[0] = np.concatenate([levels[0], surfaces[MOUTH].triangles + start[len(SURFACES)]])
     if full:
         levels.insert(0, np.concatenate([one.triangles + start[k] for k, one in enumerate(found)]))
-    order, counts = nested(levels)
+    order, counts = vertex_order(levels)
     place = np.full(int(start[-1]), -1, np.int32)
     place[order] = np.arange(len(order), dtype=np.int32)
     vertex = np.concatenate([surface.vertex for surface in found])[order]
@@ -121,8 +121,8 @@ def _shipped() -> dict[str, Index]:
         return {name: archive[name] for name in archive.files}
 
 
-def nested(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]]:
-    """Return an order of the vertices in which every level uses the first so many, and how many.
+def vertex_order(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]]:
+    """Return an order of the vertices in which every level uses the first ones, and how many.
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ def nested(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Loose:
+class LooseShells:
     """All loose shells of a person as one mesh.
 
     Attributes
@@ -171,7 +171,7 @@ class Loose:
 def shell_levels(
     vertices_m: Array, triangles: Index, budgets: Sequence[int] = LOOSE, moved_m: Sequence[Array] = ()
 ) -> tuple[Index, ...]:
-    """Return (T, 3) triangles of each level of loose shells, in their own vertices; never more than the budgets.
+    """Return (T, 3) triangles of each level of loose shells, of their own vertices; never more than the budgets.
 
     Borders between charts hold the same places twice: places are welded first.
 

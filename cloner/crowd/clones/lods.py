@@ -77,7 +77,7 @@ def with_levels(gltf: Any, clone: Clone) -> Any:
 
 
 def _lists(clone: Clone) -> list[dict[int, tuple[Index, ...]]]:
-    """Return for every mesh of a clone's glTF its primitives that have levels, by row, and their triangles.
+    """Return for every mesh of a clone's glTF its primitives with levels, by row, and their triangles.
 
     Frizz has none: from afar it is less than a pixel, and its cards, which hang together nowhere, cannot be made fewer.
     """
@@ -102,13 +102,13 @@ def _levels(clone: Clone, shell: Shell) -> tuple[Index, ...]:
 
 
 def _budgets(clone: Clone, shell: Shell) -> tuple[int, ...]:
-    """Return how many triangles a shell may have at each level: its share of all shells' together but the frizz's."""
+    """Return a shell's triangle budget per level: its share of all shells' except the frizz's."""
     whole = sum(len(one.triangles) for one in clone.shells if one.kind != CARDS)
     return tuple(max(round(budget * len(shell.triangles) / whole), 1) for budget in LOOSE)
 
 
 def _indices(gltf: Any, blob: bytearray, triangles: Index) -> int:
-    """Add the corners of triangles behind everything else and return their accessor."""
+    """Append the corners of triangles and return their accessor."""
     flat = triangles.reshape(-1)
     flat = flat.astype(np.uint16 if flat.max(initial=0) < 65535 else np.uint32)
     blob += b"\0" * (-len(blob) % 4)

@@ -1,4 +1,4 @@
-"""Clones for a crowd: found in result folders, checked, and refused where consent is missing."""
+"""Clones for a crowd: found in result folders, checked, and refused without consent."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Found:
 
 
 def find_people(results: Sequence[Path]) -> tuple[Found, ...]:
-    """Return the clones in result folders and in folders of results, in the order given.
+    """Return the clones in result folders and in folders of results, in the given order.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Arrays of clones for the shaders: integers in rows, the same in a pack and in the painter."""
+"""Arrays of clones for the shaders: integers in rows, the same in a pack and in the renderer."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.groups import GROUPS, WORN, garment_masks, skin_colours
-from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose
-from cloner.crowd.clones.zones import reach
+from cloner.crowd.clones.levels import LOOSE, BodyLevels, LooseShells
+from cloner.crowd.clones.zones import covered_zones
 from cloner.records.arrays import Array
 
 #: All rest poses lie in this box: its corner and side, metres. 16 bits of it are .04 mm.
@@ -78,7 +78,7 @@ class CrowdArrays:
     stones : (C, A, A, 3) uint8, stone_shells : (C, B, 2 B, 3) uint8
         The same people in stone, or None.
     faces : (C, K, N, 3) int16
-        How faces move that can speak; see :func:`cloner.crowd.clones.faces.face_moves`; or None.
+        How faces move that can speak; see :func:`cloner.crowd.clones.faces.face_offsets`; or None.
     """
 
     body: BodyLevels
@@ -96,27 +96,27 @@ class CrowdArrays:
     faces: NDArray[np.int16] | None = None
 
 
-def numbers_of(cast: CrowdClone, budgets: Sequence[int] = LOOSE) -> CloneArrays:
-    """Return a clone's numbers; ``budgets`` are the loose triangles of each level."""
+def clone_arrays(cast: CrowdClone, budgets: Sequence[int] = LOOSE) -> CloneArrays:
+    """Return a clone's arrays; ``budgets`` are the loose triangles of each level."""
     used, triangles = _compact(cast.loose)
     places = np.concatenate([cast.vertices_m, cast.loose.vertices_m[used]])
     normals = np.concatenate([cast.normals, cast.loose.normals[used]])
     place = np.round((places - BOX_MIN_M) / BOX_STEP_M)
-    vertices = np.column_stack([np.clip(place, 0, 65535), octahedral(normals)]).astype(np.uint16)
+    vertices = np.column_stack([np.clip(place, 0, 65535), encode_octahedral(normals)]).astype(np.uint16)
     frames = np.concatenate([clip.frames for clip in cast.clips])
     scale = np.array([1.0, 1.0, 1.0, BONE_REACH_M])
     bones = np.clip(np.round(frames / scale * BONE_FULL), -BONE_FULL, BONE_FULL).astype(np.int16)
     return CloneArrays(vertices, _loose_rows(cast.loose, used), _corners(triangles, budgets), bones)
 
 
-def _compact(loose: Loose) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
+def _compact(loose: LooseShells) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
     """Return the loose vertices that any level uses, and the levels' triangles among them."""
     every = np.concatenate([triangles.reshape(-1) for triangles in loose.triangles])
     used = np.unique(every).astype(np.int64)
     return used, [np.searchsorted(used, triangles) for triangles in loose.triangles]
 
 
-def _loose_rows(loose: Loose, used: NDArray[np.int64]) -> NDArray[np.uint16]:
+def _loose_rows(loose: LooseShells, used: NDArray[np.int64]) -> NDArray[np.uint16]:
     uv = np.round(np.clip(loose.uv[used], 0.0, 1.0) * 65535.0).astype(np.uint16)
     joints = loose.joints[used].astype(np.uint16)
     weights = whole_weights(loose.weights[used]).astype(np.uint16)
@@ -128,7 +128,7 @@ def _loose_rows(loose: Loose, used: NDArray[np.int64]) -> NDArray[np.uint16]:
 
 
 def _corners(triangles: Sequence[NDArray[np.int64]], budgets: Sequence[int]) -> NDArray[np.uint16]:
-    """Return the corners of all levels in line; a level with fewer triangles ends in ones without any area."""
+    """Return the corners of all levels in one list; a level with fewer triangles is padded with degenerate ones."""
     lines = []
     for own, budget in zip(triangles, budgets, strict=True):
         line = np.zeros(3 * budget, np.uint16)
@@ -138,14 +138,14 @@ def _corners(triangles: Sequence[NDArray[np.int64]], budgets: Sequence[int]) -> 
 
 
 def whole_weights(weights: Array) -> NDArray[np.int64]:
-    """Return (N, 4) weights as whole numbers whose sum is exactly 255."""
+    """Return (N, 4) weights as integers whose sum is exactly 255."""
     whole = np.floor(weights * 255.0 + 1e-6).astype(np.int64)
     whole[np.arange(len(whole)), weights.argmax(axis=1)] += 255 - whole.sum(axis=1)
     return whole
 
 
-def octahedral(normals: Array) -> NDArray[np.uint16]:
-    """Return (N,) unit normals as two bytes each: the point of an octahedron unfolded to a square."""
+def encode_octahedral(normals: Array) -> NDArray[np.uint16]:
+    """Return (N,) unit normals as two bytes each (octahedral mapping)."""
     n = normals / np.abs(normals).sum(axis=1, keepdims=True)
     fold = n[:, 2] < 0.0
     signs = np.where(n[:, :2] >= 0.0, 1.0, -1.0)
@@ -154,7 +154,7 @@ def octahedral(normals: Array) -> NDArray[np.uint16]:
     return np.asarray(whole[:, 0] | (whole[:, 1] << 8), np.uint16)
 
 
-class Baked(IntEnum):
+class BakedClip(IntEnum):
     """Which views of a clip have impostors; shaders read the number."""
 
     FRONT = 0  # for those in a stand
@@ -163,21 +163,21 @@ class Baked(IntEnum):
 
 
 #: First tile of each clip, and which views follow.
-Sets = Sequence[tuple[int, Baked]]
+Sets = Sequence[tuple[int, BakedClip]]
 
 
-def no_sets(cast: CrowdClone) -> Sets:
+def sets_without_impostors(cast: CrowdClone) -> Sets:
     """Return the sets of a clone without impostors."""
-    return [(0, Baked.ALL)] * len(cast.clips)
+    return [(0, BakedClip.ALL)] * len(cast.clips)
 
 
 def table_row(cast: CrowdClone, sets: Sets, texels_per_m: float, views: int, first_bone: int) -> NDArray[np.float32]:
-    """Return a clone's (COLUMNS, 4) row of the clones' table.
+    """Return a clone's (COLUMNS, 4) row of the clone table.
 
     Parameters
     ----------
     cast : Cast
-    sets : sequence of (int, Baked)
+    sets : sequence of (int, BakedClip)
         First tile of each clip and its views.
     texels_per_m : float
         Of the impostors.
@@ -205,26 +205,26 @@ def table_row(cast: CrowdClone, sets: Sets, texels_per_m: float, views: int, fir
         row[LOOKS_AT + 3, :2] = _shell_look(cast)
     for k, colour in enumerate(skin_colours(cast.atlas, cast.codes).values()):
         row[SKIN_AT + k, :3] = colour / 255.0
-    for k, covered in enumerate(reach(garment_masks(cast.codes)).values()):
+    for k, covered in enumerate(covered_zones(garment_masks(cast.codes)).values()):
         row[REACH_AT + k] = covered
     row[HUNG_AT] = GROUPS.index(cast.hung or "bottom") + 1
     return row
 
 
 def _shell_look(cast: CrowdClone) -> tuple[float, float]:
-    """Return median luma and evenness of the hair's own picture."""
+    """Return the median luma and contrast of the hair's own picture."""
     hair = cast.shell[:, : cast.shell.shape[1] // 2].reshape(-1, 4)
     solid = hair[hair[:, 3] > 127]
     return (max(float(np.median(solid[:, :3] @ [0.2126, 0.7152, 0.0722])), 1.0), 1.0) if len(solid) else (128.0, 1.0)
 
 
 def middle_m(cast: CrowdClone) -> float:
-    """Return the height of the point that impostors are baked around, metres."""
+    """Return the height of the point around which impostors are baked, metres."""
     return float(cast.vertices_m[:, 1].max() / 2.0)
 
 
 def level_arrays(body: BodyLevels, level: int, budgets: Sequence[int] = LOOSE) -> dict[str, NDArray[Any]]:
-    """Return the vertex attributes and indices that all clones' geometry of a level is drawn with.
+    """Return the vertex attributes and indices that all clones share at a level.
 
     ``which`` (N,) float32 counts the body's wedges, then the loose corners from ``len(body.vertex)`` on; ``uv``,
     ``joints`` and ``weights`` are the body's; ``index`` (3 T,) uint32, fronts only: what is loose comes with either
@@ -246,23 +246,23 @@ def level_arrays(body: BodyLevels, level: int, budgets: Sequence[int] = LOOSE) -
 
 
 def face_texels(moves: NDArray[np.int16]) -> NDArray[np.int16]:
-    """Return (K R, WIDE, 4) texels of a face's (K, N, 3) moves: R rows a target."""
+    """Return (K R, WIDE, 4) texels of a face's (K, N, 3) offsets: R rows per target."""
     targets, count, _ = moves.shape
     rows = np.zeros((targets, -(-count // WIDE) * WIDE, 4), np.int16)
     rows[:, :count, :3] = moves
     return rows.reshape(-1, WIDE, 4)
 
 
-def padded_rows(values: NDArray[Any], wide: int) -> NDArray[Any]:
-    """Return (N, ...) values as (rows, wide, ...), zeros at the end."""
+def rows_of_texels(values: NDArray[Any], wide: int) -> NDArray[Any]:
+    """Return (N, ...) values as (rows, wide, ...), padded with zeros."""
     rows = -(-len(values) // wide)
     out = np.zeros((rows * wide, *values.shape[1:]), values.dtype)
     out[: len(values)] = values
     return out.reshape(rows, wide, *values.shape[1:])
 
 
-def stacked(arrays: Sequence[NDArray[Any]]) -> NDArray[Any]:
-    """Return (C, rows, ...) of arrays with (rows_k, ...), zeros below the shorter ones."""
+def stack_padded(arrays: Sequence[NDArray[Any]]) -> NDArray[Any]:
+    """Return (C, rows, ...) of arrays with (rows_k, ...), shorter ones padded with zeros."""
     tall = max(len(one) for one in arrays)
     out = np.zeros((len(arrays), tall, *arrays[0].shape[1:]), arrays[0].dtype)
     for k, one in enumerate(arrays):
@@ -270,7 +270,7 @@ def stacked(arrays: Sequence[NDArray[Any]]) -> NDArray[Any]:
     return out
 
 
-def frames_before(clips: Sequence[Sequence[Clip]]) -> list[int]:
-    """Return the first row of each clone's frames when all lie under one another."""
+def first_frame_rows(clips: Sequence[Sequence[Clip]]) -> list[int]:
+    """Return the first row of each clone's frames when all are stacked."""
     counts = [sum(len(clip.frames) for clip in own) for own in clips]
     return [sum(counts[:k]) for k in range(len(counts))]

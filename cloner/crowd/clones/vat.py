@@ -9,7 +9,7 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner import __version__
-from cloner.crowd.clones.cast import CrowdClone, posed
+from cloner.crowd.clones.cast import CrowdClone, skin_vertices
 from cloner.crowd.clones.levels import BodyLevels
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.credits import CREDITS
@@ -38,7 +38,7 @@ def vat_files(cast: CrowdClone, body: BodyLevels) -> dict[str, bytes]:
 def _frames(
     cast: CrowdClone, body: BodyLevels, count: int, used: NDArray[np.int64]
 ) -> tuple[Array, Array, dict[str, Any]]:
-    """Return (F, N, 3) places and normals of all frames of all clips, and what lies where."""
+    """Return (F, N, 3) positions and normals of all frames of all clips, and the index of clips."""
     moved: list[Array] = []
     turned: list[Array] = []
     animations: dict[str, Any] = {}
@@ -52,10 +52,10 @@ def _frames(
             "framerate": len(clip.frames) / clip.seconds, "looping": True,
         }  # fmt: skip
         for frame in clip.frames:
-            moved.append(posed(rest, joints, weights, frame))
+            moved.append(skin_vertices(rest, joints, weights, frame))
             turning = frame.copy()
             turning[..., 3] = 0.0
-            n = posed(normals, joints, weights, turning)
+            n = skin_vertices(normals, joints, weights, turning)
             turned.append(n / np.linalg.norm(n, axis=1, keepdims=True))
     return np.stack(moved), np.stack(turned), animations
 
@@ -69,7 +69,7 @@ def _mesh(
     rest: Array,
     frames: int,
 ) -> bytes:
-    """Return the mesh in rest: one primitive, the second texture coordinate says each vertex's column."""
+    """Return the mesh in rest pose: one primitive; the second texture coordinate is each vertex's column."""
     gltf = pygltflib.GLTF2(
         asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS), scene=0
     )

@@ -33,7 +33,7 @@ def zone_texels(size: int) -> NDArray[np.uint8]:
 
 
 def _zones() -> NDArray[np.uint8]:
-    """Return (T,) the zone of each triangle of the generic human: by its segment, and its middle along the bone."""
+    """Return (T,) the zone of each triangle of the generic human: by its segment, and its position along the bone."""
     generic = load_generic()
     triangles, _ = generic.triangles()
     segment = generic.vertex_segment[triangles[:, 0]]
@@ -51,8 +51,8 @@ def _zones() -> NDArray[np.uint8]:
     return found
 
 
-def reach(masks: Mapping[str, NDArray[np.bool_]]) -> dict[str, list[float]]:
-    """Return for top and bottom which of their zones are covered by most of their texels, 1 or 0 each.
+def covered_zones(masks: Mapping[str, NDArray[np.bool_]]) -> dict[str, list[float]]:
+    """Return for top and bottom which of their zones they cover for the most part, 1 or 0 each.
 
     Parameters
     ----------

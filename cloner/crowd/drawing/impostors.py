@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 from skimage.metrics import structural_similarity
 
-from cloner.crowd.clones.cast import CrowdClone, posed
+from cloner.crowd.clones.cast import CrowdClone, skin_vertices
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.levels import BodyLevels
-from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, Baked, CrowdArrays, middle_m
-from cloner.crowd.drawing.theatre import Theatre
-from cloner.crowd.drawing.tiles import Tile, drawn
+from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, BakedClip, CrowdArrays, middle_m
+from cloner.crowd.drawing.theatre import CrowdRenderer
+from cloner.crowd.drawing.tiles import Tile, draw_tiles
 from cloner.records.arrays import Array
 
 Pixels = NDArray[np.uint8]
@@ -52,7 +52,7 @@ class Tiles:
     """
 
     rows: NDArray[np.float32]
-    sets: tuple[tuple[int, Baked], ...]
+    sets: tuple[tuple[int, BakedClip], ...]
     views: int
     colours: Pixels
     shapes: Pixels
@@ -60,7 +60,7 @@ class Tiles:
 
 @dataclass(frozen=True, slots=True)
 class BakeSettings:
-    """What to bake.
+    """Settings of a bake.
 
     Attributes
     ----------
@@ -82,15 +82,15 @@ class BakeSettings:
 
     @property
     def page_wide(self) -> int:
-        """Width of a page, texels: wider for several rings, because some cards end at 4096 rows."""
+        """Width of a page, texels: wider for several rings, as some GPUs limit textures to 4096 rows."""
         return PAGE_WIDE if len(self.elevations) == 1 else 2 * PAGE_WIDE
 
 
-def seen_views(seen: Baked, views: int) -> list[int]:
-    """Return the views that are baked, in the order of their tiles."""
-    if seen is Baked.ALL:
+def baked_views(seen: BakedClip, views: int) -> list[int]:
+    """Return the baked views in the order of their tiles."""
+    if seen is BakedClip.ALL:
         return list(range(views))
-    if seen is Baked.LEFT:
+    if seen is BakedClip.LEFT:
         return list(range(views // 2 + 1))
     front = views // 4
     return [*range(front + 1), *range(-front, 0)]
@@ -103,7 +103,7 @@ def axes(azimuth: float, elevation: float) -> Array:
 
 
 def bake(cast: CrowdClone, body: BodyLevels, held: CrowdArrays, wanted: BakeSettings) -> Tiles:
-    """Return the tiles of a clone.
+    """Return the impostors of a clone.
 
     Parameters
     ----------
@@ -118,19 +118,19 @@ def bake(cast: CrowdClone, body: BodyLevels, held: CrowdArrays, wanted: BakeSett
     ClonerError
         If this machine cannot draw.
     """
-    theatre = Theatre(held)
+    theatre = CrowdRenderer(held)
     try:
-        seen = [Baked.ALL if clip.around else Baked.FRONT for clip in cast.clips]
+        seen = [BakedClip.ALL if clip.around else BakedClip.FRONT for clip in cast.clips]
         views = wanted.views
         if wanted.mirrored:
             likeness = [side_likeness(theatre, cast, body, number, wanted) for number in range(len(cast.clips))]
-            seen = [Baked.LEFT if one >= MIRRORED_FROM else own for own, one in zip(seen, likeness, strict=True)]
-            views = wanted.mirrored if Baked.LEFT in seen else wanted.views
+            seen = [BakedClip.LEFT if one >= MIRRORED_FROM else own for own, one in zip(seen, likeness, strict=True)]
+            views = wanted.mirrored if BakedClip.LEFT in seen else wanted.views
         names = [clip.name for clip in cast.clips]
         seen = [seen[names.index(clip.far or clip.name)] for clip in cast.clips]
         tiles, starts = _plan(cast, body, replace(wanted, views=views), seen)
-        places, tall = _placed(tiles, wanted.page_wide)
-        colour, shape = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall), fine=wanted.fine)
+        places, tall = _pack_tiles(tiles, wanted.page_wide)
+        colour, shape = draw_tiles(theatre, cast, tiles, places, (wanted.page_wide, tall), fine=wanted.fine)
     finally:
         theatre.close()
     lines = np.zeros((2 * len(tiles), 4), np.float32)
@@ -140,15 +140,17 @@ def bake(cast: CrowdClone, body: BodyLevels, held: CrowdArrays, wanted: BakeSett
     return Tiles(lines, tuple(zip(starts, seen, strict=True)), views, colour, shape)
 
 
-def side_likeness(theatre: Theatre, cast: CrowdClone, body: BodyLevels, number: int, wanted: BakeSettings) -> float:
-    """Return how like a clip's right side is to its left one half a cycle later, mirrored: the worst SSIM of tiles.
+def side_likeness(
+    theatre: CrowdRenderer, cast: CrowdClone, body: BodyLevels, number: int, wanted: BakeSettings
+) -> float:
+    """Return how well a clip's right side matches its left one half a cycle later, mirrored: the worst SSIM of tiles.
 
     Tecchia et al. 2002 mirror symmetric walkers. Clothes, hair and light in photos are what tells sides apart.
     """
     clip = cast.clips[number]
     if clip.far or not clip.around or clip.poses % 2:
         return 0.0
-    clouds, count = _clouds(cast, body, clip), len(clip.frames)
+    clouds, count = _pose_extents(cast, body, clip), len(clip.frames)
     tiles = []
     for azimuth in _SIDES:
         left, right = (axes(way * azimuth, wanted.elevations[0]) for way in (1.0, -1.0))
@@ -158,8 +160,8 @@ def side_likeness(theatre: Theatre, cast: CrowdClone, body: BodyLevels, number: 
             low_x, low_y, high_x, high_y = tile.box_m
             box = -high_x, low_y, -low_x, high_y
             tiles += [tile, replace(tile, frame=(frame + count // 2) % count, axes=right, box_m=box)]
-    places, tall = _placed(tiles, wanted.page_wide)
-    page, _ = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))
+    places, tall = _pack_tiles(tiles, wanted.page_wide)
+    page, _ = draw_tiles(theatre, cast, tiles, places, (wanted.page_wide, tall))
     shown = [
         _on_grey(page[y : y + tile.size[1], x : x + tile.size[0]]) for tile, (x, y) in zip(tiles, places, strict=True)
     ]
@@ -175,9 +177,9 @@ def _on_grey(rgba: Pixels) -> Array:
 
 
 def _plan(
-    cast: CrowdClone, body: BodyLevels, wanted: BakeSettings, seen: Sequence[Baked]
+    cast: CrowdClone, body: BodyLevels, wanted: BakeSettings, seen: Sequence[BakedClip]
 ) -> tuple[list[Tile], list[int]]:
-    """Return the tiles in their order (clip, ring, view, pose) and the first one of each clip."""
+    """Return the tiles in order (clip, ring, view, pose) and the first one of each clip."""
     found: list[Tile] = []
     starts: list[int] = []
     names = [clip.name for clip in cast.clips]
@@ -186,9 +188,9 @@ def _plan(
         if clip.far:
             continue
         every = len(clip.frames) // clip.poses
-        clouds = _clouds(cast, body, clip)
+        clouds = _pose_extents(cast, body, clip)
         for elevation in wanted.elevations:
-            for view in seen_views(seen[number], wanted.views):
+            for view in baked_views(seen[number], wanted.views):
                 way = axes(view * 2.0 * np.pi / wanted.views, elevation)
                 found += [
                     _tile(number, pose * every, way, cloud, wanted.texels_per_m) for pose, cloud in enumerate(clouds)
@@ -196,14 +198,14 @@ def _plan(
     return found, starts
 
 
-def _clouds(cast: CrowdClone, body: BodyLevels, clip: Clip) -> list[Array]:
+def _pose_extents(cast: CrowdClone, body: BodyLevels, clip: Clip) -> list[Array]:
     """Return points that reach as far as the person does in each pose, from the middle, metres."""
     coarse, loose = slice(0, body.counts[-2]), cast.loose
     some = np.unique(np.concatenate([triangles.reshape(-1) for triangles in loose.triangles[-2:]]))
     clouds = []
     for frame in clip.frames[:: len(clip.frames) // clip.poses][: clip.poses]:
-        own = posed(cast.vertices_m[coarse], body.joints[coarse], body.weights[coarse], frame)
-        hair = posed(loose.vertices_m[some], loose.joints[some], loose.weights[some], frame)
+        own = skin_vertices(cast.vertices_m[coarse], body.joints[coarse], body.weights[coarse], frame)
+        hair = skin_vertices(loose.vertices_m[some], loose.joints[some], loose.weights[some], frame)
         clouds.append(np.concatenate([own, hair]) - (0.0, middle_m(cast), 0.0))
     return clouds
 
@@ -220,8 +222,8 @@ def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) 
     return Tile(clip, frame, way, box, (int(size[0]), int(size[1])))
 
 
-def _placed(tiles: Sequence[Tile], page_wide: int) -> tuple[list[tuple[int, int]], int]:
-    """Return where each tile lies in the page, texels from its top left, and how tall the page is."""
+def _pack_tiles(tiles: Sequence[Tile], page_wide: int) -> tuple[list[tuple[int, int]], int]:
+    """Return each tile's position in the page, texels from its top left, and the page's height."""
     order = sorted(range(len(tiles)), key=lambda k: (-tiles[k].size[1], k))
     places = [(0, 0)] * len(tiles)
     x = y = shelf = 0
@@ -235,7 +237,7 @@ def _placed(tiles: Sequence[Tile], page_wide: int) -> tuple[list[tuple[int, int]
 
 
 def with_tiles(held: CrowdArrays, tiles: Sequence[Tiles], wanted: BakeSettings) -> CrowdArrays:
-    """Return a stock with impostors, one :class:`Tiles` a clone in the stock's order."""
+    """Return a stock with impostors, one :class:`Tiles` per clone in the stock's order."""
     tall, wide = max(one.colours.shape[0] for one in tiles), wanted.page_wide
     count = max(len(one.rows) for one in tiles)
     rows = np.zeros((len(tiles), count, 4), np.float32)

@@ -10,7 +10,7 @@ from html import escape
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.crowd.drawing.shaders import files
+from cloner.crowd.drawing.shaders import page_shaders
 from cloner.crowd.staged.rooms import ECHO_FILE, ROOM_FILES
 
 #: The files of the pack that the page holds.
@@ -78,7 +78,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
         f"{base64.b64encode((folder / name).read_bytes()).decode('ascii')}</script>\n"
         for name in names
     )
-    shaders = {name: (web / name).read_text(encoding="utf-8") for name in files()}
+    shaders = {name: (web / name).read_text(encoding="utf-8") for name in page_shaders()}
     told = {key: value for key, value in facts.items() if key != "files"}
     page = (web / "player.html").read_text(encoding="utf-8")
     parts = {
@@ -95,5 +95,5 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
 
 
 def _inside_script(value: Any) -> str:
-    """Return JSON that cannot end the script element it stands in."""
+    """Return JSON that cannot end the script element that contains it."""
     return json.dumps(value, sort_keys=True).replace("<", "\\u003c")

@@ -27,18 +27,18 @@ UNROOMED: Final[Mapping[str, Any]] = MappingProxyType({
 })  # fmt: skip
 
 
-def file_of(name: str) -> str:
-    """Return the file of a part."""
+def shader_path(name: str) -> str:
+    """Return the file of a shader part."""
     return name if "." in name else f"{name}.glsl"
 
 
-def source(names: Sequence[str]) -> str:
-    """Return the text of shader parts, one after another."""
+def shader_source(names: Sequence[str]) -> str:
+    """Return the text of shader parts, concatenated."""
     folder = importlib.resources.files("cloner.crowd") / "web"
-    return "\n".join((folder / file_of(name)).read_text(encoding="utf-8") for name in names)
+    return "\n".join((folder / shader_path(name)).read_text(encoding="utf-8") for name in names)
 
 
-def files() -> tuple[str, ...]:
+def page_shaders() -> tuple[str, ...]:
     """Return the files of all parts that the page needs."""
     used = [part for key, pair in PARTS.items() if key != "bake" for part in pair]
-    return tuple(sorted({file_of(name) for part in used for name in part}))
+    return tuple(sorted({shader_path(name) for part in used for name in part}))

@@ -16,21 +16,21 @@ _UNCOVERED: Final = 255  # no code is as large
 
 
 def downsample_tiles(colour: Pixels, shape: Pixels, every: int = 2) -> tuple[Pixels, Pixels]:
-    """Return the page's texels from its samples; colours and shapes go on a little beyond the outline.
+    """Return the page's texels from its samples; colours and shapes are extended a little beyond the outline.
 
     A texel of shapes is as large as ``every`` ones of colours; codes are as every second one.
     """
     cover = colour[..., 3:].astype(np.float32) / 255.0
     rgba = _blocks(np.dstack([colour[..., :3] * cover, cover]), SAMPLES)
-    solid = _grown(rgba)
+    solid = _extended(rgba)
     colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
     form = _blocks(np.dstack([shape[..., :3] * cover, cover]), every * SAMPLES)
-    codes = _commonest(shape[..., 3], cover[..., 0] > 0.5).repeat(2 // every, axis=0).repeat(2 // every, axis=1)
-    shapes = np.dstack([_grown(form), codes])
+    codes = _majority_codes(shape[..., 3], cover[..., 0] > 0.5).repeat(2 // every, axis=0).repeat(2 // every, axis=1)
+    shapes = np.dstack([_extended(form), codes])
     return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
 
 
-def _commonest(codes: Pixels, covered: NDArray[np.bool_]) -> Pixels:
+def _majority_codes(codes: Pixels, covered: NDArray[np.bool_]) -> Pixels:
     """Return the commonest code of the covered samples of each block of half a page's texel; every third one votes."""
     tall, wide, votes = codes.shape[0] // (2 * SAMPLES), codes.shape[1] // (2 * SAMPLES), 2 * SAMPLES // 3
     picked = np.where(covered, codes, _UNCOVERED)[1::3, 1::3]
@@ -49,8 +49,8 @@ def _blocks(values: NDArray[np.float32], side: int) -> NDArray[np.float32]:
     return np.asarray(out, np.float32).reshape(height // side, width // side, parts)
 
 
-def _grown(premultiplied: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (H, W, 3) values of (H, W, 3 + 1) ones times their coverage, continued beyond it."""
+def _extended(premultiplied: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (H, W, 3) values of (H, W, 3 + 1) premultiplied ones, extended beyond their coverage."""
     total, weight = premultiplied[..., :3].copy(), premultiplied[..., 3].copy()
     out = np.zeros_like(total)
     filled = weight > 1.0 / 255.0

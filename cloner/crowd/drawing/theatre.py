@@ -1,4 +1,4 @@
-"""Draw the crowd off screen with the player's own shaders: geometry of any level, impostors, and impostors' tiles."""
+"""Offscreen rendering of the crowd with the player's own shaders: geometry of any level, impostors, and their tiles."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.faces import face_rows
 from cloner.crowd.clones.groups import STEP
-from cloner.crowd.drawing.shaders import PARTS, UNROOMED, source
+from cloner.crowd.drawing.shaders import PARTS, UNROOMED, shader_source
 from cloner.generic.gl_painter import new_context
 
 Pixels = NDArray[np.uint8]
@@ -27,8 +27,8 @@ _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "a
                  "faceRows", "feels")  # fmt: skip
 
 
-class Theatre:
-    """One GL context with the textures of a stock and of the people in front of it."""
+class CrowdRenderer:
+    """One GL context with the textures of a stock and of the people in the scene."""
 
     def __init__(self, held: stock.CrowdArrays) -> None:
         self.stock = held
@@ -41,22 +41,22 @@ class Theatre:
         self._send()
 
     def close(self) -> None:
-        """Give the context back."""
+        """Release the context."""
         self._gl.release()
 
     def _program(self, vertex: Sequence[str], fragment: Sequence[str]) -> Any:
-        return self._gl.program(vertex_shader=HEADER + source(vertex), fragment_shader=HEADER + source(fragment))
+        sources = [HEADER + shader_source(parts) for parts in (vertex, fragment)]
+        return self._gl.program(vertex_shader=sources[0], fragment_shader=sources[1])
 
     def _send(self) -> None:
-        held = self.stock
-        wide = stock.WIDE
-        self._array("vertices", stock.stacked([stock.padded_rows(n.vertices, wide) for n in held.numbers]), "u2")
-        loose = [
-            stock.padded_rows(n.loose if len(n.loose) else np.zeros((2, 4), np.uint16), 2 * wide) for n in held.numbers
-        ]
-        self._array("loose", stock.stacked(loose), "u2")
-        corners = [stock.padded_rows(n.corners, stock.CORNERS_WIDE) for n in held.numbers]
-        self._array("corners", stock.stacked(corners)[..., None], "u2")
+        held, wide = self.stock, stock.WIDE
+        vertices = [stock.rows_of_texels(n.vertices, wide) for n in held.numbers]
+        self._array("vertices", stock.stack_padded(vertices), "u2")
+        nothing = np.zeros((2, 4), np.uint16)
+        loose = [stock.rows_of_texels(n.loose if len(n.loose) else nothing, 2 * wide) for n in held.numbers]
+        self._array("loose", stock.stack_padded(loose), "u2")
+        corners = [stock.rows_of_texels(n.corners, stock.CORNERS_WIDE) for n in held.numbers]
+        self._array("corners", stock.stack_padded(corners)[..., None], "u2")
         joints = max(n.bones.shape[1] for n in held.numbers)  # who wears simulated cloth has more
         rows = [np.pad(n.bones, ((0, 0), (0, joints - n.bones.shape[1]), (0, 0), (0, 0))) for n in held.numbers]
         self._flat("bones", (bones := np.concatenate(rows)).reshape(len(bones), -1, 4), "i2")
@@ -69,11 +69,11 @@ class Theatre:
         faces = np.zeros((1, 1, 1, 3), np.int16) if held.faces is None else held.faces
         self._array("faces", moves := np.stack([stock.face_texels(one) for one in faces]), "i2")
         self._face_high = moves.shape[1] // faces.shape[1]
-        self._flat("faceRows", stock.padded_rows(face_rows(held.body), wide)[..., None], "u2")
+        self._flat("faceRows", stock.rows_of_texels(face_rows(held.body), wide)[..., None], "u2")
         self.send_tiles()
 
     def send_tiles(self) -> None:
-        """Send the impostors' pages, where the stock has any."""
+        """Upload the impostors' pages, if the stock has any."""
         held = self.stock
         if held.tiles is None or held.colours is None or held.shapes is None:
             return
@@ -82,19 +82,19 @@ class Theatre:
         self._array("shapes", held.shapes, "f1")
 
     def send_people(self, people: NDArray[np.float32]) -> None:
-        """Send (N, 5, 4) rows of people; see ``common.glsl``."""
-        self._flat("people", (rows := stock.padded_rows(people, 256)).reshape(len(rows), -1, 4), "f4")
+        """Upload (N, 5, 4) rows of people; see ``common.glsl``."""
+        self._flat("people", (rows := stock.rows_of_texels(people, 256)).reshape(len(rows), -1, 4), "f4")
 
     def send_glow(self, glow: NDArray[np.float32]) -> None:
-        """Send (N, 4, 4) light of people; see ``shading.glsl``."""
-        self._flat("glow", (rows := stock.padded_rows(glow, 256)).reshape(len(rows), -1, 4), "f4")
+        """Upload (N, 4, 4) light of people; see ``shading.glsl``."""
+        self._flat("glow", (rows := stock.rows_of_texels(glow, 256)).reshape(len(rows), -1, 4), "f4")
 
     def send_feels(self, feels: NDArray[np.float32]) -> None:
-        """Send (N, 2) feelings of people: which (0: none) and how strongly."""
-        self._flat("feels", stock.padded_rows(feels, 256), "f4")
+        """Upload (N, 2) feelings of people: which (0: none) and how strongly."""
+        self._flat("feels", stock.rows_of_texels(feels, 256), "f4")
 
     def send_room(self, looks: Pixels, light: Pixels, sun: Pixels) -> None:
-        """Send a room's textures, one below another, its light map, (H, W, 3) each, and the sun's share (H, W)."""
+        """Upload a room's textures, stacked, its light map, (H, W, 3) each, and the sun's share (H, W)."""
         side = looks.shape[1]
         self._array("roomLooks", looks.reshape(-1, side, side, 3), "f1", mips=6)
         self._textures["roomLooks"].repeat_x = self._textures["roomLooks"].repeat_y = True
@@ -104,7 +104,7 @@ class Theatre:
             self._textures[name].filter = (self._gl.LINEAR, self._gl.LINEAR)
 
     def draw_room(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
-        """Draw triangles given as (3 T, 8) corners: place, uv, light-map uv, look; only their fronts."""
+        """Draw triangles given as (3 T, 8) corners: position, uv, light-map uv, look; front faces only."""
         self.uniforms("room", values)
         buffer = self._gl.buffer(np.ascontiguousarray(corners, np.float32).tobytes())
         names = ("position", "uv", "lightUv", "look")
@@ -161,7 +161,7 @@ class Theatre:
         )
 
     def uniforms(self, program: str, values: Mapping[str, Any]) -> None:
-        """Set uniforms of a program as far as it has them, its textures too."""
+        """Set a program's uniforms, textures included, those that it has."""
         own = self._programs[program]
         fixed = {
             "bodyVertices": len(self.stock.body.vertex), "boxMin": stock.BOX_MIN_M, "boxStep": stock.BOX_STEP_M,
@@ -184,7 +184,7 @@ class Theatre:
                 own[name].value = unit
 
     def target(self, size_px: tuple[int, int], colours: int = 1, samples: int = 0) -> Any:
-        """Return a framebuffer, kept for the next picture of its kind."""
+        """Return a framebuffer; it is reused for the next picture of its kind."""
         key = (*size_px, colours, samples)
         if key not in self._targets:
             layers = [self._gl.renderbuffer(size_px, 4, samples=samples) for _ in range(colours)]
@@ -218,7 +218,7 @@ class Theatre:
         mesh.release()
 
     def draw_impostors(self, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
-        """Draw (N, 2) instances (who, fade) as impostors: what covers pixels whole, then all rims over it."""
+        """Draw (N, 2) instances (who, fade) as impostors: opaque pixels first, then all soft edges over them."""
         if not len(instances):
             return
         self._quads("impostor", instances, values)
@@ -247,7 +247,7 @@ class Theatre:
         corner.release()
 
     def cast(self, who: NDArray[np.float32], values: Mapping[str, Any], size_px: int) -> None:
-        """Draw the depth of (N, 2) instances as the sun sees them; ``clipFromWorld`` is the sun's."""
+        """Draw the shadow map of (N, 2) instances; ``clipFromWorld`` is the sun's."""
         if "shadows" not in self._textures:
             self._textures["shadows"] = self._gl.depth_texture((size_px, size_px))
             self._textures["shadows"].compare_func = ""

@@ -1,4 +1,4 @@
-"""Tiles of impostors drawn into a page, by the samples of a bake."""
+"""Rendering of impostor tiles into a page, by the samples of a bake."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.cast import CrowdClone
 from cloner.crowd.clones.stock import BAKED_FROM_M, middle_m
 from cloner.crowd.drawing.texels import SAMPLES, downsample_tiles
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.records.arrays import Array
 
 Pixels = NDArray[np.uint8]
@@ -24,7 +24,7 @@ _NEAR_M: Final = 1.0  # metres before the eye that are drawn from
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Tile:
-    """One picture of an impostor: a frame of a clip from one way."""
+    """One picture of an impostor: a frame of a clip from one direction."""
 
     clip: int
     frame: int
@@ -34,7 +34,7 @@ class Tile:
 
 
 def _people(cast: CrowdClone, tiles: Sequence[Tile]) -> tuple[list[int], NDArray[np.float32]]:
-    """Return the row of people that stands in each tile, and the rows: one a pose of each clip."""
+    """Return the row of people for each tile, and the rows: one per pose of each clip."""
     poses = sorted({(tile.clip, tile.frame) for tile in tiles})
     people = np.zeros((len(poses), 5, 4), np.float32)
     for row, (clip, frame) in enumerate(poses):
@@ -45,8 +45,8 @@ def _people(cast: CrowdClone, tiles: Sequence[Tile]) -> tuple[list[int], NDArray
     return [place[tile.clip, tile.frame] for tile in tiles], people
 
 
-def drawn(
-    theatre: Theatre,
+def draw_tiles(
+    theatre: CrowdRenderer,
     cast: CrowdClone,
     tiles: Sequence[Tile],
     places: Sequence[tuple[int, int]],
@@ -54,7 +54,7 @@ def drawn(
     *,
     fine: bool = False,
 ) -> tuple[Pixels, Pixels]:
-    """Return the page's colours (H, W, 4) and shapes, as large where they are ``fine``, else half as large."""
+    """Return the page's colours (H, W, 4) and shapes, at full resolution if ``fine``, else half."""
     every = 1 if fine else 2
     colours = np.zeros((page[1], page[0], 4), np.uint8)
     shapes = np.zeros((page[1] // every, page[0] // every, 4), np.uint8)
@@ -97,7 +97,7 @@ def _bands(tiles: Sequence[Tile], places: Sequence[tuple[int, int]]) -> list[tup
 
 
 def _window(tile: Tile, centre: Array) -> Array:
-    """Return the (4, 4) clip space that shows just the tile's box on the plane through the middle, in perspective."""
+    """Return the (4, 4) perspective clip space of the tile's box on the plane through the middle."""
     left, bottom, right, top = tile.box_m
     view = np.eye(4)
     view[:3, :3], view[:3, 3] = tile.axes, -tile.axes @ (centre + BAKED_FROM_M * tile.axes[2])

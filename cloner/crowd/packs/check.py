@@ -11,13 +11,13 @@ from scipy.spatial import cKDTree
 from cloner.crowd.packs.files import digest
 from cloner.crowd.packs.reading import (
     LARGEST_FILE_BYTES,
-    casting_from,
     read_acted,
+    read_casting,
     read_checked,
     read_facts,
     read_stock,
 )
-from cloner.crowd.staged.scene import ACTED, SCENES, Scene, looks_shown, places, scene_of
+from cloner.crowd.staged.scene import ACTED, SCENES, Scene, looks_shown, make_scene, places_at
 from cloner.errors import ClonerError
 from cloner.untrusted import read_untrusted
 
@@ -28,7 +28,7 @@ MIB: Final = 1 << 20
 
 
 def check_pack(pack: Path) -> list[str]:
-    """Return what a pack holds, line by line, after checking every file.
+    """Return a pack's contents, line by line, after checking every file.
 
     Raises
     ------
@@ -51,10 +51,10 @@ def check_pack(pack: Path) -> list[str]:
     memory = gpu_bytes(pack, facts)
     lines.append(f"{sum(memory.values()) / MIB:.0f} MiB of textures on the card: " + ", ".join(
         f"{name} {value / MIB:.1f}" for name, value in memory.items()
-    ) + f"; in blocks, with --compressed, {blocks_bytes(memory) / MIB:.0f} MiB")  # fmt: skip
+    ) + f"; in blocks, with --compressed, {compressed_gpu_bytes(memory) / MIB:.0f} MiB")  # fmt: skip
     for name in SCENES:
-        made = scene_of(name, COUNTED, casting_from(facts))
-        near = min(closest_same(made, now) for now in TIMES_S)
+        made = make_scene(name, COUNTED, read_casting(facts))
+        near = min(closest_repeat_m(made, now) for now in TIMES_S)
         lines.append(
             f"{name}: {looks_shown(made)} looks among {len(made.rows)} people, nearest same clone {near:.2f} m"
         )
@@ -65,9 +65,11 @@ def check_pack(pack: Path) -> list[str]:
     return lines
 
 
-def closest_same(made: Scene, now: float) -> float:
-    """Return how near any clone comes to itself at a time, metres; those that fade at a lane's end do not count."""
-    at = places(made, now)[:, ::2]
+def closest_repeat_m(made: Scene, now: float) -> float:
+    """Return the least distance between two appearances of one clone, metres; those that fade at a lane's end do not
+    count.
+    """
+    at = places_at(made, now)[:, ::2]
     clones = made.rows[:, 1, 2].astype(int)
     lane = made.rows[:, 0, 0] == 1.0
     shown = ~lane | (np.abs(at[:, 1]) < made.lane_m / 2.0 - 2.0)
@@ -79,14 +81,14 @@ def closest_same(made: Scene, now: float) -> float:
     return nearest
 
 
-def blocks_bytes(memory: dict[str, int]) -> float:
-    """Return the bytes of :func:`gpu_bytes` where colours lie in blocks (``web/blocks.js``) and codes apart."""
+def compressed_gpu_bytes(memory: dict[str, int]) -> float:
+    """Return the bytes of :func:`gpu_bytes` with block-compressed colours (``web/blocks.js``) and separate codes."""
     shares = {"impostors' colours": 1 / 4, "atlases": 1 / 8 + 3 / 16, "hair": 1 / 4}
     return sum(value * shares.get(name, 1.0) for name, value in memory.items())
 
 
 def gpu_bytes(pack: Path, facts: dict[str, Any]) -> dict[str, int]:
-    """Return the bytes of each texture as the player holds it, mips included."""
+    """Return the bytes of each texture in the player's memory, mipmaps included."""
     held = read_stock(pack, facts)
     if held.colours is None or held.shapes is None or held.tiles is None:
         raise ValueError("a pack has impostors")

@@ -39,8 +39,8 @@ _METHOD: Final = 4
 _TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM, errno.EFBIG}
 
 
-def packed(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
-    """Return arrays one after another, little-endian, from multiples of 8 bytes, deflated; and where each lies."""
+def pack_arrays(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
+    """Return arrays concatenated, little-endian, aligned to 8 bytes, deflated; and the offset of each."""
     chunks, told, at = [], {}, 0
     for name, values in arrays.items():
         data = np.ascontiguousarray(values, values.dtype.newbyteorder("<")).tobytes()
@@ -50,8 +50,8 @@ def packed(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
     return zlib.compress(b"".join(chunks), 9), told
 
 
-def unpacked(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
-    """Return the arrays of :func:`packed`.
+def unpack_arrays(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+    """Return the arrays of :func:`pack_arrays`.
 
     Raises
     ------
@@ -74,8 +74,8 @@ def unpacked(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
     return found
 
 
-def webp(pixels: Pixels, quality: int | None) -> bytes:
-    """Return an (H, W) or (H, W, 3) picture as WebP; no quality keeps every value."""
+def encode_webp(pixels: Pixels, quality: int | None) -> bytes:
+    """Return an (H, W) or (H, W, 3) picture as WebP; lossless without a quality."""
     rgb = pixels if pixels.ndim == 3 else np.dstack([pixels] * 3)
     stream = io.BytesIO()
     options = {"lossless": True, "quality": 80} if quality is None else {"quality": quality}
@@ -84,14 +84,14 @@ def webp(pixels: Pixels, quality: int | None) -> bytes:
 
 
 def small_png(pixels: Pixels) -> bytes:
-    """Return a picture as the smallest PNG that the packer finds."""
+    """Return a picture as the smallest PNG of several encodings."""
     stream = io.BytesIO()
     Image.fromarray(pixels).save(stream, "PNG", optimize=True)
     return stream.getvalue()
 
 
-def picture(data: bytes) -> Pixels:
-    """Return the (H, W, 3) pixels of a WebP file's content; ValueError if they are more than a pack's pages have."""
+def decode_webp(data: bytes) -> Pixels:
+    """Return the (H, W, 3) pixels of a WebP file; ValueError for more than a pack's pages can have."""
     with Image.open(io.BytesIO(data), formats=["WEBP"]) as image:
         if image.width * image.height > LARGEST_PICTURE_PIXELS:
             raise ValueError("a picture larger than any page")
@@ -112,13 +112,13 @@ def tile_files(tiles: Tiles) -> dict[str, bytes]:
     covers[height:, : width // 2] = tiles.shapes[:: 1 + fine, :: 1 + fine, 3]
     quality = FINE_QUALITY if fine else SHAPE_QUALITY
     return {
-        "colours.webp": webp(np.concatenate(_differences(tiles.colours)), COLOUR_QUALITY),
-        "shapes.webp": webp(np.concatenate([tiles.shapes[..., k] for k in range(3)]), quality),
-        "covers.webp": webp(covers, None),
+        "colours.webp": encode_webp(np.concatenate(_to_ycocg(tiles.colours)), COLOUR_QUALITY),
+        "shapes.webp": encode_webp(np.concatenate([tiles.shapes[..., k] for k in range(3)]), quality),
+        "covers.webp": encode_webp(covers, None),
     }
 
 
-def _differences(rgb: Pixels) -> tuple[Pixels, Pixels, Pixels]:
+def _to_ycocg(rgb: Pixels) -> tuple[Pixels, Pixels, Pixels]:
     """Return Y, Co and Cg of colours (Malvar and Sullivan 2003), the differences about 128."""
     red, green, blue = (rgb[..., k].astype(np.float32) for k in range(3))
     parts = (red + 2 * green + blue) / 4, (red - blue) / 2 + 128, (2 * green - red - blue) / 4 + 128
@@ -126,8 +126,8 @@ def _differences(rgb: Pixels) -> tuple[Pixels, Pixels, Pixels]:
     return y, co, cg
 
 
-def _colours(y: Pixels, co: Pixels, cg: Pixels) -> Pixels:
-    """Return the (H, W, 3) colours of :func:`_differences`."""
+def _from_ycocg(y: Pixels, co: Pixels, cg: Pixels) -> Pixels:
+    """Return the (H, W, 3) colours of :func:`_to_ycocg`."""
     luma, orange, green = y.astype(np.int16), co.astype(np.int16) - 128, cg.astype(np.int16) - 128
     rgb = np.dstack([luma - green + orange, luma + green, luma - green - orange])
     return np.clip(rgb, 0, 255).astype(np.uint8)
@@ -135,12 +135,12 @@ def _colours(y: Pixels, co: Pixels, cg: Pixels) -> Pixels:
 
 def tiles_from(files: Mapping[str, bytes], rows: NDArray[np.float32]) -> Tiles:
     """Return the tiles of :func:`tile_files`."""
-    parts, covers = picture(files["colours.webp"])[..., 0], picture(files["covers.webp"])[..., 0]
-    shapes = picture(files["shapes.webp"])[..., 0]
+    parts, covers = decode_webp(files["colours.webp"])[..., 0], decode_webp(files["covers.webp"])[..., 0]
+    shapes = decode_webp(files["shapes.webp"])[..., 0]
     height, width = len(parts) // 3, parts.shape[1]
     fine = shapes.shape[1] == width
     tall = height if fine else height // 2
-    colours = _colours(*(parts[k * height : (k + 1) * height] for k in range(3)))
+    colours = _from_ycocg(*(parts[k * height : (k + 1) * height] for k in range(3)))
     planes = [shapes[k * tall : (k + 1) * tall] for k in range(3)]
     codes = covers[height:, : width // 2].repeat(1 + fine, axis=0).repeat(1 + fine, axis=1)
     return Tiles(rows, (), 0, np.dstack([colours, covers[:height]]), np.dstack([*planes, codes]))
@@ -148,12 +148,12 @@ def tiles_from(files: Mapping[str, bytes], rows: NDArray[np.float32]) -> Tiles:
 
 def shell_bytes(shell: Pixels) -> bytes:
     """Return hair and cloth as one picture: colours above, alpha below."""
-    return webp(np.concatenate([shell[..., :3], np.dstack([shell[..., 3]] * 3)]), SHELL_QUALITY)
+    return encode_webp(np.concatenate([shell[..., :3], np.dstack([shell[..., 3]] * 3)]), SHELL_QUALITY)
 
 
 def shell_from(data: bytes) -> Pixels:
     """Return the (B, 2 B, 4) shell of :func:`shell_bytes`."""
-    both = picture(data)
+    both = decode_webp(data)
     half = len(both) // 2
     return np.dstack([both[:half], both[half:, :, 0]])
 
@@ -165,7 +165,7 @@ def digest(data: bytes) -> str:
 
 @contextlib.contextmanager
 def pack_folder(out: Path) -> Iterator[Path]:
-    """Give a temporary folder beside ``out`` that becomes it when the block ends well; an older pack is replaced.
+    """Yield a temporary folder beside ``out`` that replaces it when the block succeeds.
 
     Raises
     ------
@@ -204,16 +204,16 @@ def pack_folder(out: Path) -> Iterator[Path]:
 
 
 def _sweep(out: Path) -> None:
-    """Remove what killed runs left of a pack; a folder's name holds the number of the run that made it."""
+    """Remove what killed processes left of a pack; a temporary folder's name contains the process number."""
     for rest in out.parent.glob(f".{out.name}.partial-*"):
         number = rest.name.removeprefix(f".{out.name}.partial-").split("-")[0]
-        if not (number.isdigit() and alive(int(number))):
+        if not (number.isdigit() and is_running(int(number))):
             if (rest / "replaced").is_dir() and not out.exists():
                 (rest / "replaced").rename(out)
             shutil.rmtree(rest, ignore_errors=True)
 
 
-def alive(number: int) -> bool:
+def is_running(number: int) -> bool:
     """Return whether a process of this number runs."""
     try:
         os.kill(number, 0)

@@ -26,19 +26,19 @@ _TOKEN: Final = re.compile(r"photos ([0-9a-f]{32})")
 _TOKENS: Final = re.compile(FILMED.encode() + rb"((?: [0-9a-f]{32})*)")
 
 
-def packs_below(root: Path) -> Iterator[Path]:
-    """Yield the packs below a folder, three folders deep, in order of their names."""
+def find_packs(root: Path) -> Iterator[Path]:
+    """Yield the packs below a folder, three folders deep, sorted by name."""
     patterns = (MARK, f"*/{MARK}", f"*/*/{MARK}", f"*/*/*/{MARK}")
     yield from sorted({found.parent for pattern in patterns for found in root.glob(pattern)})
 
 
 def packs_of(identifier: str, root: Path) -> tuple[Path, ...]:
-    """Return the packs below a folder that show a person; those that cannot be read count, as nobody can say no."""
-    return tuple(pack for pack in packs_below(root) if identifier in shown_in(pack, otherwise=(identifier,)))
+    """Return the packs below a folder that show a person; unreadable packs count, as they may."""
+    return tuple(pack for pack in find_packs(root) if identifier in people_in_pack(pack, otherwise=(identifier,)))
 
 
-def shown_in(pack: Path, otherwise: tuple[str, ...] = ()) -> tuple[str, ...]:
-    """Return who is in a pack, ``otherwise`` where its description is broken."""
+def people_in_pack(pack: Path, otherwise: tuple[str, ...] = ()) -> tuple[str, ...]:
+    """Return who is in a pack, ``otherwise`` if its description is damaged."""
     from cloner.crowd.packs.reading import read_facts  # with all that draws crowds: a second that no window's start has
 
     try:
@@ -49,7 +49,7 @@ def shown_in(pack: Path, otherwise: tuple[str, ...] = ()) -> tuple[str, ...]:
 
 def people_in_packs(root: Path) -> tuple[str, ...]:
     """Return everybody in the packs below a folder, by name."""
-    return tuple(sorted({name for pack in packs_below(root) for name in shown_in(pack)}))
+    return tuple(sorted({name for pack in find_packs(root) for name in people_in_pack(pack)}))
 
 
 def folders_of(identifier: str, root: Path) -> tuple[Path, ...]:
@@ -58,12 +58,12 @@ def folders_of(identifier: str, root: Path) -> tuple[Path, ...]:
 
 
 def pack_of(folder: Path) -> Path:
-    """Return the pack of a person's folder: it goes whole when the person is forgotten."""
+    """Return the pack of a person's folder: it is deleted as a whole when the person is forgotten."""
     return folder.parent.parent
 
 
-def filmed(people: Iterable[Mapping[str, Any]]) -> str:
-    """Return what a film or picture of a pack's clones tells of whom it shows: enough to find it, no name.
+def film_tokens(people: Iterable[Mapping[str, Any]]) -> str:
+    """Return what a film or picture of a pack's clones records of whom it shows: enough to find it, no name.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def filmed(people: Iterable[Mapping[str, Any]]) -> str:
     return " ".join((FILMED, *sorted(tokens)))
 
 
-def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
+def find_films(root: Path, tokens: Set[str]) -> Iterator[Path]:
     """Yield the films and pictures of packs below a folder that show clones of photos; see `photos_token`."""
     for path in walk_files(root):
         if path.suffix.lower() in FILMS and not path.is_symlink() and not tokens.isdisjoint(_filmed_in(path)):
@@ -81,7 +81,7 @@ def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
 
 
 def _filmed_in(path: Path) -> list[str]:
-    """Return the tokens that a film or picture tells; none of what cannot be read."""
+    """Return the tokens in a film or picture; none if it cannot be read."""
     try:
         with open_untrusted(path) as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
             found = _TOKENS.search(content)

@@ -29,16 +29,16 @@ from cloner.crowd.packs.files import (
     SHELL_QUALITY,
     VERSION,
     digest,
+    encode_webp,
+    pack_arrays,
     pack_folder,
-    packed,
     shell_bytes,
     small_png,
     tile_files,
-    webp,
 )
 from cloner.crowd.packs.wanted import PackOptions, check_options
 from cloner.crowd.staged import scene
-from cloner.crowd.staged.looks import casting_of, lendable, read_looks
+from cloner.crowd.staged.looks import exchangeable_garments, make_casting, read_looks
 from cloner.project.flow_file import FLOW_FILE, load_flow
 from cloner.records.clones import Clone
 
@@ -56,7 +56,7 @@ ATLAS_QUALITY: Final = 85
 def make_pack(
     results: Sequence[Path], out: Path, wanted: PackOptions, told: Callable[[str, int, int], None] = lambda *_: None
 ) -> dict[str, Any]:
-    """Write a pack of clones and return its facts, as ``crowd.json`` holds them.
+    """Write a pack of clones and return the contents of its ``crowd.json``.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def make_pack(
     """
     check_options(wanted)
     looks = read_looks(wanted.looks)
-    casting_of([], looks)  # nobody waits for a bake to hear that a colour is none, or that the last clone is refused
+    make_casting([], looks)  # nobody waits for a bake to hear that a colour is none, or that the last clone is refused
     found, body, generic, first_bone = find_people(results), body_levels(mouth=wanted.faces), "", 0
     for one in found:
         _, generic = load_person(one, generic)
@@ -91,14 +91,14 @@ def make_pack(
                 carved=wanted.carved, flow=load_flow(one.folder, clone), faces=wanted.faces,
                 budgets=budgets,
             )  # fmt: skip
-            row, first_bone = _person(folder, cast, clone, body, wanted, budgets, first_bone, files)
+            row, first_bone = _write_person(folder, cast, clone, body, wanted, budgets, first_bone, files)
             rows.append(row)
             if cast.stone is not None:
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
-            masks.append(lendable(cast))
-        casting = casting_of(masks, looks)
+            masks.append(exchangeable_garments(cast))
+        casting = make_casting(masks, looks)
         arrays = body_arrays(body) | ({"face": face_rows(body)} if wanted.faces else {})
-        data, body_told = packed(arrays)
+        data, body_told = pack_arrays(arrays)
         _write(folder, BODY_FILE, data, files)
         facts = _facts(wanted, rows, body, budgets, casting, body_told, files)
         if wanted.compressed:
@@ -114,7 +114,7 @@ def make_pack(
     return facts
 
 
-def _person(
+def _write_person(
     folder: Path,
     cast: CrowdClone,
     clone: Clone,
@@ -125,31 +125,31 @@ def _person(
     files: dict[str, str],
 ) -> tuple[dict[str, Any], int]:
     """Write one clone's files and return its row of ``crowd.json`` and the next clone's first bone."""
-    plan = replace(bake_of(wanted, cast), fine=budgets == FLOWING)
-    own = stock.numbers_of(cast, budgets)
-    tiles = bake(cast, body, stock_of(body, [cast], [own], [stock.no_sets(cast)], plan, budgets), plan)
+    plan = replace(bake_settings(wanted, cast), fine=budgets == FLOWING)
+    own = stock.clone_arrays(cast, budgets)
+    tiles = bake(cast, body, make_stock(body, [cast], [own], [stock.sets_without_impostors(cast)], plan, budgets), plan)
     table = stock.table_row(cast, tiles.sets, plan.texels_per_m, tiles.views, first_bone)
     arrays: dict[str, NDArray[Any]] = {
         "vertices": own.vertices, "loose": own.loose, "corners": own.corners, "bones": own.bones, "table": table,
         "tiles": tiles.rows,
     }  # fmt: skip
-    data, told = packed(arrays)
+    data, told = pack_arrays(arrays)
     place = f"people/{cast.identifier}"
     content = {
         "numbers.bin": data,
         **tile_files(tiles),
-        "atlas.webp": webp(cast.atlas, ATLAS_QUALITY),
-        "codes.webp": webp(cast.marks, None),
+        "atlas.webp": encode_webp(cast.atlas, ATLAS_QUALITY),
+        "codes.webp": encode_webp(cast.marks, None),
         "shell.webp": shell_bytes(cast.shell),
         "grey.png": small_png(grey_atlas(cast.atlas, cast.codes, cast.looks)),
         f"{cast.identifier}.glb": levels_glb(cast, clone, body),
     }
     if cast.stone is not None and cast.stone_shell is not None:
-        content["stone.webp"] = webp(cast.stone, ATLAS_QUALITY)
-        content["stone_shell.webp"] = webp(cast.stone_shell, SHELL_QUALITY)
+        content["stone.webp"] = encode_webp(cast.stone, ATLAS_QUALITY)
+        content["stone_shell.webp"] = encode_webp(cast.stone_shell, SHELL_QUALITY)
     faced: dict[str, Any] = {}
     if cast.face is not None:
-        content[FACE_FILE], faced = packed({"moves": cast.face})
+        content[FACE_FILE], faced = pack_arrays({"moves": cast.face})
     if wanted.vat:
         content |= vat_files(cast, body)
     for name, one in content.items():
@@ -175,15 +175,15 @@ def _person(
     return row, first_bone + len(own.bones)
 
 
-def bake_of(wanted: PackOptions, cast: CrowdClone) -> BakeSettings:
-    """Return how a clone's impostors are baked."""
+def bake_settings(wanted: PackOptions, cast: CrowdClone) -> BakeSettings:
+    """Return the settings for baking a clone's impostors."""
     views = wanted.views or (MANY_VIEWS if cast.width_to_depth > WIDE_RATIO else FEW_VIEWS)
     elevations = tuple(float(np.radians(ring)) for ring in wanted.rings_deg)
     plan = BakeSettings(views, (wanted.views or MIRRORED_VIEWS) if wanted.mirror else 0, elevations)
     return replace(plan, texels_per_m=plan.texels_per_m / stock.TEXELS_PER_PX) if wanted.classic else plan
 
 
-def stock_of(
+def make_stock(
     body: BodyLevels,
     casts: Sequence[CrowdClone],
     numbers: Sequence[stock.CloneArrays],
@@ -192,7 +192,7 @@ def stock_of(
     budgets: tuple[int, ...] = LOOSE,
 ) -> stock.CrowdArrays:
     """Return the stock of some clones without impostors."""
-    first = stock.frames_before([cast.clips for cast in casts])
+    first = stock.first_frame_rows([cast.clips for cast in casts])
     rows = [
         stock.table_row(cast, own, plan.texels_per_m, plan.views, bone)
         for cast, own, bone in zip(casts, sets, first, strict=True)
@@ -204,7 +204,7 @@ def stock_of(
 
 
 def body_arrays(body: BodyLevels) -> dict[str, NDArray[Any]]:
-    """Return what the page reads of all clones' body."""
+    """Return the arrays of the body that all clones share."""
     arrays: dict[str, NDArray[Any]] = {
         "uv": body.uv.astype(np.float32), "joints": body.joints.astype(np.uint8),
         "weights": body.weights.astype(np.float32),

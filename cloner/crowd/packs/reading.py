@@ -10,14 +10,14 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.crowd.clones.faces import face_wedges
-from cloner.crowd.clones.levels import body_levels, budgets_in
+from cloner.crowd.clones.levels import body_levels, read_budgets
 from cloner.crowd.clones.stock import CloneArrays, CrowdArrays
 from cloner.crowd.drawing.impostors import BakeSettings, with_tiles
 from cloner.crowd.drawing.player import ACTED_FILE, FACE_FILE, SPOKEN_FILE, STONES
-from cloner.crowd.packs.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
+from cloner.crowd.packs.files import FORMAT, MARK, VERSION, decode_webp, digest, shell_from, tiles_from, unpack_arrays
 from cloner.crowd.packs.told import find_invalid
 from cloner.crowd.staged.faces import SpeechTrack, Utterance
-from cloner.crowd.staged.footing import Acted, fits
+from cloner.crowd.staged.footing import Acted, is_in_range
 from cloner.crowd.staged.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.staged.scene import Casting
 from cloner.errors import ClonerError, printable
@@ -30,7 +30,7 @@ _TILES: Final = ("colours.webp", "shapes.webp", "covers.webp")
 
 
 def read_facts(pack: Path) -> dict[str, Any]:
-    """Return what ``crowd.json`` says.
+    """Return the contents of ``crowd.json``.
 
     Raises
     ------
@@ -72,21 +72,21 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> CrowdArrays:
                 name: read_checked(pack, f"people/{row['id']}/{name}", facts)
                 for name in ("numbers.bin", "atlas.webp", "codes.webp", "shell.webp", *_TILES)
             }
-            arrays = unpacked(files["numbers.bin"], row["arrays"])
+            arrays = unpack_arrays(files["numbers.bin"], row["arrays"])
             numbers.append(CloneArrays(*(arrays[name] for name in ("vertices", "loose", "corners", "bones"))))
             rows.append(arrays["table"])
-            atlases.append(np.dstack([picture(files["atlas.webp"]), picture(files["codes.webp"])[..., 0]]))
+            atlases.append(np.dstack([decode_webp(files["atlas.webp"]), decode_webp(files["codes.webp"])[..., 0]]))
             shells.append(shell_from(files["shell.webp"]))
             tiles.append(tiles_from(files, arrays["tiles"]))
             for name, own in stones.items():
-                own.append(picture(read_checked(pack, f"people/{row['id']}/{name}", facts)))
+                own.append(decode_webp(read_checked(pack, f"people/{row['id']}/{name}", facts)))
             if "faces" in facts:
                 data = read_checked(pack, f"people/{row['id']}/{FACE_FILE}", facts)
-                faces.append(unpacked(data, row["face"])["moves"])
+                faces.append(unpack_arrays(data, row["face"])["moves"])
                 if faces[-1].shape[1] != len(face_wedges(body)):
                     raise ValueError("another body's face")
         elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
-        budgets = budgets_in(facts["numbers"]["loose"])
+        budgets = read_budgets(facts["numbers"]["loose"])
         held = CrowdArrays(body, budgets, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
         if stones:
             held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
@@ -98,7 +98,7 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> CrowdArrays:
 
 
 def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
-    """Return what the clones of a pack act, if it was baked.
+    """Return the actions of a pack's clones, if it was baked.
 
     Raises
     ------
@@ -108,8 +108,8 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
     if "acted" not in facts:
         raise ClonerError("the crowd acts no scenario", "Make one with cloner crowd bake", pack.name)
     try:
-        acted = Acted(**unpacked(read_checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
-        if not fits(acted, [len(row["clips"]) for row in facts["people"]]):
+        acted = Acted(**unpack_arrays(read_checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
+        if not is_in_range(acted, [len(row["clips"]) for row in facts["people"]]):
             raise ValueError("other clones")
     except (ValueError, LookupError, TypeError) as error:
         raise ClonerError("what the crowd acts does not fit it", "Bake it again", pack.name) from error
@@ -117,7 +117,7 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
 
 
 def read_spoken(pack: Path, facts: dict[str, Any]) -> SpeechTrack | None:
-    """Return what is said in a pack's film, None where nobody speaks.
+    """Return the speech of a pack's film, None without speech.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def read_spoken(pack: Path, facts: dict[str, Any]) -> SpeechTrack | None:
         return None
     told = facts["spoken"]
     try:
-        weights = unpacked(read_checked(pack, SPOKEN_FILE, facts), told["arrays"])["weights"]
+        weights = unpack_arrays(read_checked(pack, SPOKEN_FILE, facts), told["arrays"])["weights"]
         said = tuple(Utterance(**{name: one[name] for name in Utterance.__slots__}) for one in told["said"])
         if not np.isfinite(weights).all() or any(one.first + one.frames > len(weights) for one in said):
             raise ValueError("another film's")
@@ -138,7 +138,7 @@ def read_spoken(pack: Path, facts: dict[str, Any]) -> SpeechTrack | None:
 
 
 def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
-    """Return the lit room in which a pack's clones act, None where there is none.
+    """Return the lit room of a pack, None if there is none.
 
     Raises
     ------
@@ -149,8 +149,10 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
         return None
     told = facts["room"]
     try:
-        held = unpacked(read_checked(pack, ROOM_FILE, facts), told["arrays"])
-        looks, light, sun = (picture(read_checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE))
+        held = unpack_arrays(read_checked(pack, ROOM_FILE, facts), told["arrays"])
+        looks, light, sun = (
+            decode_webp(read_checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE)
+        )
         shape = tuple(told["shape"])
         fits_in = sun.shape == light.shape and held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
         finite = all(np.isfinite(one).all() for one in held.values())
@@ -164,7 +166,7 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
 
 
 def read_checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
-    """Return a file's content if it is the one that was written.
+    """Return a file's content if its digest matches.
 
     Raises
     ------
@@ -180,7 +182,7 @@ def read_checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
     return data
 
 
-def casting_from(facts: dict[str, Any]) -> Casting:
+def read_casting(facts: dict[str, Any]) -> Casting:
     """Return the rules of who wears what."""
     told = facts["looks"]
     return Casting(told["clones"], told["palettes"], told["wardrobe"], told["own_share"], told["dyed_share"])

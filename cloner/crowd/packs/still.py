@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs.files import MARK
-from cloner.crowd.packs.held import filmed
-from cloner.crowd.packs.reading import casting_from, read_acted, read_facts, read_room, read_spoken, read_stock
-from cloner.crowd.staged.daylight import CAST_PX, DAY, Hour, room_values
-from cloner.crowd.staged.eye import Eye
+from cloner.crowd.packs.held import film_tokens
+from cloner.crowd.packs.reading import read_acted, read_casting, read_facts, read_room, read_spoken, read_stock
+from cloner.crowd.staged.daylight import CAST_PX, DAY, RoomLight, room_values
+from cloner.crowd.staged.eye import CrowdCamera
 from cloner.crowd.staged.faces import SpeechTrack, faces_values
-from cloner.crowd.staged.footing import GONE, Acted, felt_at, rows_at
-from cloner.crowd.staged.rooms import LitRoom, glow_of
-from cloner.crowd.staged.scene import ACTED, SCENES, Scene, places, scene_of
-from cloner.crowd.staged.staging import UP, Staging, finished, staging_of
+from cloner.crowd.staged.footing import GONE, Acted, feelings_at, people_at
+from cloner.crowd.staged.rooms import LitRoom, people_light
+from cloner.crowd.staged.scene import ACTED, SCENES, Scene, make_scene, places_at
+from cloner.crowd.staged.staging import UP, Staging, add_caption, read_staging
 from cloner.errors import ClonerError
 from cloner.project.atomic import atomic_file
 from cloner.vision.photographs.films import FORMATS, png_text, write_film
@@ -84,26 +84,26 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     name = _SCENE_OF.get(view, view)
     if name not in (*SCENES, ACTED):
         raise ClonerError(f"{name!r} is no scene", f"Choose one of {', '.join(SCENES)}", "--view")
-    casting = casting_from(facts)
-    made = read_acted(pack, facts) if name == ACTED else scene_of(name, int(facts["people_count"]), casting)
-    theatre = Theatre(read_stock(pack, facts))
+    casting = read_casting(facts)
+    made = read_acted(pack, facts) if name == ACTED else make_scene(name, int(facts["people_count"]), casting)
+    theatre = CrowdRenderer(read_stock(pack, facts))
     try:
-        staging = staging_of(facts) if name == ACTED else None
-        painter = Painter(
+        staging = read_staging(facts) if name == ACTED else None
+        painter = ScenePainter(
             theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging,
             read_spoken(pack, facts) if name == ACTED else None,
         )  # fmt: skip
         with atomic_file(out) as temporary:
             if out.suffix.lower() in FORMATS:
-                write_film(_film(painter, views[view]), FRAMES_PER_S, temporary, filmed(facts["people"]))
+                write_film(_film(painter, views[view]), FRAMES_PER_S, temporary, film_tokens(facts["people"]))
             else:
                 shown = Image.fromarray(painter.picture(views[view], STARTED_S))
-                shown.save(temporary, format="PNG", pnginfo=png_text(filmed(facts["people"])))
+                shown.save(temporary, format="PNG", pnginfo=png_text(film_tokens(facts["people"])))
     finally:
         theatre.close()
 
 
-def _film(painter: Painter, view: tuple[Any, Any]) -> Iterator[Pixels]:
+def _film(painter: ScenePainter, view: tuple[Any, Any]) -> Iterator[Pixels]:
     place, target = (np.array(one) for one in view)
     ahead = (target - place) * (1.0, 0.0, 1.0)
     ahead = ahead / np.linalg.norm(ahead)
@@ -113,11 +113,11 @@ def _film(painter: Painter, view: tuple[Any, Any]) -> Iterator[Pixels]:
         yield painter.picture((tuple(moved), tuple(target)), STARTED_S + k / FRAMES_PER_S)
 
 
-class Painter:
-    """Pictures of one scene of a pack at any time from anywhere."""
+class ScenePainter:
+    """Renders one scene of a pack at any time from any camera."""
 
     def __init__(
-        self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
+        self, theatre: CrowdRenderer, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
         room: LitRoom | None = None, staging: Staging | None = None, spoken: SpeechTrack | None = None,
     ) -> None:  # fmt: skip
         self._staging, self._spoken = staging, spoken
@@ -132,14 +132,19 @@ class Painter:
         self._feelings = np.array([feelings.index(one) + 1 if one in feelings else 0 for one in names])
 
     def picture(
-        self, view: tuple[Any, Any], now: float, mode: str = "hybrid", hour: Hour = DAY, field_deg: float = FIELD_DEG
+        self,
+        view: tuple[Any, Any],
+        now: float,
+        mode: str = "hybrid",
+        hour: RoomLight = DAY,
+        field_deg: float = FIELD_DEG,
     ) -> Pixels:
-        """Return the (H, W, 3) picture from a place towards a target at a time, seconds.
+        """Return the (H, W, 3) picture from an eye towards a target at a time, seconds.
 
         ``mode``: "hybrid", "levels" (no impostors) or "geometry" (the finest level alone).
         """
         focal = self._size[1] / 2.0 / np.tan(np.radians(field_deg) / 2.0)
-        eye = Eye(np.array(view[0], float), np.array(view[1], float), self._size, float(focal))
+        eye = CrowdCamera(np.array(view[0], float), np.array(view[1], float), self._size, float(focal))
         theatre = self._theatre
         target = theatre.target(self._size, 1, SAMPLES)
         values = {
@@ -176,21 +181,21 @@ class Painter:
             raise ValueError("nothing is staged")
         eye, look, field_deg = self._staging.camera(self._staging.rows(self._scene, now), now)
         shown = self.picture((eye, look), now, hour=self._staging.hour(now), field_deg=field_deg)
-        return finished(shown, self._staging.caption(now), self._staging.curtain(now))
+        return add_caption(shown, self._staging.caption(now), self._staging.curtain(now))
 
-    def _tiers(self, eye: Eye, now: float, mode: str) -> list[NDArray[np.int64]]:
+    def _tiers(self, eye: CrowdCamera, now: float, mode: str) -> list[NDArray[np.int64]]:
         """Return who is drawn at each level, and last as an impostor."""
         if isinstance(self._scene, Scene):
-            where, here = places(self._scene, now), None
+            where, here = places_at(self._scene, now), None
         else:
-            rows = self._staging.rows(self._scene, now) if self._staging else rows_at(self._scene, now)
+            rows = self._staging.rows(self._scene, now) if self._staging else people_at(self._scene, now)
             self._theatre.send_people(rows)
             if self._feelings.any():
-                felt = felt_at(self._scene, now)
+                felt = feelings_at(self._scene, now)
                 felt[:, 0] = self._feelings[felt[:, 0].astype(int)]
                 self._theatre.send_feels(felt)
             if self._room:
-                self._theatre.send_glow(glow_of(self._room.probes, rows))
+                self._theatre.send_glow(people_light(self._room.probes, rows))
             where, here = np.column_stack([rows[:, 0, 1], rows[:, 4, UP], rows[:, 0, 2]]), rows[:, 0, 0] < GONE
         away = np.linalg.norm(where + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
         tiers = self._facts["tiers"]

@@ -26,25 +26,25 @@ GARMENTS: Final = ("top", "bottom", "shoes", "hair")
 
 
 def find_invalid(facts: Any) -> str:
-    """Return the first invalid value of a pack's description, by its name; "" where it is valid.
+    """Return the name of the first invalid value in a pack's description; "" if it is valid.
 
     Only what Cloner reads back is looked at; other programs may add what they like.
     """
-    wrong = _unfit(facts, _FACTS, "")
+    wrong = _first_invalid(facts, _FACTS, "")
     if not wrong and ("acted" in facts or facts["scene"] == ACTED):
-        wrong = _unfit(facts, _ACTED, "")
+        wrong = _first_invalid(facts, _ACTED, "")
     if not wrong and "statues" in facts:
-        wrong = _unfit(facts, _STATUES, "")
+        wrong = _first_invalid(facts, _STATUES, "")
     if not wrong and "staging" in facts:
-        wrong = _unfit(facts, _STAGING, "") or _unstaged(facts["staging"], facts.get("people_count", 0))
+        wrong = _first_invalid(facts, _STAGING, "") or _unknown_staged(facts["staging"], facts.get("people_count", 0))
     if not wrong and "faces" in facts:
-        wrong = _unfit(facts, _FACES, "")
+        wrong = _first_invalid(facts, _FACES, "")
     if not wrong and "spoken" in facts:
-        wrong = _unfit(facts, {"faces": _FACES["faces"], **_SPOKEN}, "")
+        wrong = _first_invalid(facts, {"faces": _FACES["faces"], **_SPOKEN}, "")
     if not wrong and "room" in facts:
-        wrong = _unfit(facts, _ROOM, "")
+        wrong = _first_invalid(facts, _ROOM, "")
     if not wrong and "echo" in facts.get("room", {}):
-        wrong = _unfit(facts["room"]["echo"], _Rows(_number(-1e6, 1e6), 4, 4), "room.echo")
+        wrong = _first_invalid(facts["room"]["echo"], _Rows(_number(-1e6, 1e6), 4, 4), "room.echo")
     if wrong:
         return wrong
     clones = len(facts["people"])
@@ -61,9 +61,9 @@ def find_invalid(facts: Any) -> str:
 
 
 def find_invalid_newcomer(row: Any, *, faces: bool) -> str:
-    """Return the first invalid value in the description of a clone from elsewhere; "" where it is valid."""
+    """Return the name of the first invalid value in the description of another booth's clone; "" if it is valid."""
     arrays = {**_ARRAYS, **_FEET, **({"moves": _MOVES} if faces else {})}
-    wrong = _unfit(row, {"arrays": arrays, "stature_m": _number(0.3, 3.0)}, "")
+    wrong = _first_invalid(row, {"arrays": arrays, "stature_m": _number(0.3, 3.0)}, "")
     return wrong or ("" if set(row) == {"arrays", "stature_m"} and set(row["arrays"]) == set(arrays) else "arrays")
 
 
@@ -80,7 +80,7 @@ def _inside(value: Any) -> bool:
     return value.isprintable() and ".." not in path.parts and not path.is_absolute()
 
 
-def _truth(value: Any) -> bool:
+def _boolean(value: Any) -> bool:
     return isinstance(value, bool)
 
 
@@ -93,7 +93,7 @@ def _number(low: float, high: float) -> Check:
 
 
 class _Rows:
-    """A list of so many values of one kind."""
+    """A list with a limited number of values of one kind."""
 
     def __init__(self, each: Any, least: int = 0, most: int = LONGEST_LIST) -> None:
         self.each, self.least, self.most = each, least, most
@@ -106,7 +106,7 @@ class _Table:
         self.key, self.each = key, each
 
 
-def _unfit(value: Any, shape: Any, name: str) -> str:
+def _first_invalid(value: Any, shape: Any, name: str) -> str:
     if isinstance(shape, _Rows):
         if not isinstance(value, list) or not shape.least <= len(value) <= shape.most:
             return name
@@ -124,7 +124,7 @@ def _unfit(value: Any, shape: Any, name: str) -> str:
         parts = [(f"{name}.{key}".lstrip("."), value[key], one) for key, one in shape.items()]
     else:
         return "" if shape(value) else name
-    return next((wrong for part in parts if (wrong := _unfit(part[1], part[2], part[0]))), "")
+    return next((wrong for part in parts if (wrong := _first_invalid(part[1], part[2], part[0]))), "")
 
 
 #: Lengths and other positive numbers of a pack: no crowd is smaller or larger.
@@ -132,7 +132,7 @@ _METRES: Final = _number(1e-6, 1e6)
 
 
 def _array(kind: str, *axes: int) -> Mapping[str, Any]:
-    """Return what is told of an array whose axes are so long; 0: of any length."""
+    """Return the check of an array's description with these axes; 0: any length."""
     lengths = [_whole(axis, axis or LARGEST_COUNT) for axis in axes]
 
     def fits(value: Any) -> bool:
@@ -162,7 +162,7 @@ _FACTS: Final = {
     "people": _Rows({"id": _identifier, "arrays": _ARRAYS, "clips": _Rows(_CLIP, 1, MOST_CLIPS)}, 1, MOST_CLONES),
     "tiers": _Rows({"largest_px": _number(0.0, 1e6)}, TIERS, TIERS),  # the finest has no largest: 0
     "switch": {"metres_per_focal_px": _METRES, "texels_per_px": _METRES, "texels_per_m": _METRES},
-    "impostors": {"views": _whole(2, 64), "rings_deg": _Rows(_number(-90.0, 90.0), 1, 4), "classic": _truth},
+    "impostors": {"views": _whole(2, 64), "rings_deg": _Rows(_number(-90.0, 90.0), 1, 4), "classic": _boolean},
     "looks": {
         "clones": _whole(1, MOST_CLONES),
         "palettes": _Table(lambda key: key in GARMENTS, _Rows(_whole(0, 0xFFFFFF))),
@@ -209,11 +209,13 @@ _STATUES: Final = {"statues": {"colour": _PLACE}}
 
 
 def _keys(columns: int) -> Check:
-    """Return what keys of a time and so many values are: rows of numbers, times rising."""
+    """Return the check of keys, a time and so many values each: rows of numbers, times rising."""
     row = _Rows(_number(-1e6, 1e6), columns + 1, columns + 1)
 
     def fits(value: Any) -> bool:
-        return not _unfit(value, _Rows(row, 1), "keys") and all(one[0] <= other[0] for one, other in pairwise(value))
+        return not _first_invalid(value, _Rows(row, 1), "keys") and all(
+            one[0] <= other[0] for one, other in pairwise(value)
+        )
 
     return fits
 
@@ -222,8 +224,8 @@ def _pair(first: Check, second: Check) -> Check:
     return lambda value: isinstance(value, list) and len(value) == 2 and first(value[0]) and second(value[1])
 
 
-def _unstaged(told: Any, people: int) -> str:
-    """Return what is staged of people that there are not."""
+def _unknown_staged(told: Any, people: int) -> str:
+    """Return what is staged of people that do not exist."""
     named = [one[0] for name in ("wakes", "hardens", "stone", "up") for one in told[name]]
     named += [one[key] for one in told["heads"] for key in ("who", "of")]
     named += [int(key[7]) for shot in told["shots"] for key in shot]

@@ -63,7 +63,7 @@ class PackOptions:
     faces: bool = False
 
 
-def rings_of(text: str) -> tuple[float, ...]:
+def parse_rings(text: str) -> tuple[float, ...]:
     """Return the elevations in a list with commas, degrees.
 
     Raises
@@ -78,7 +78,7 @@ def rings_of(text: str) -> tuple[float, ...]:
 
 
 def check_options(wanted: PackOptions) -> None:
-    """Refuse impossible options.
+    """Refuse invalid options.
 
     Raises
     ------

@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from cloner.crowd.staged.eye import Eye
+from cloner.crowd.staged.eye import CrowdCamera
 from cloner.crowd.staged.rooms import CHEST_M, Probes, light_at
 from cloner.records.arrays import Array
 
@@ -31,8 +31,8 @@ CAST_DEEP_M: Final = 40.0
 
 
 @dataclass(frozen=True, slots=True)
-class Hour:
-    """How a room is lit now: what its light is multiplied by, stars, more exposure (stops), and a lantern.
+class RoomLight:
+    """A room's lighting at a time: a factor of its light, stars, additional exposure (stops), and a lantern.
 
     ``lantern`` is x, y, z and radius, metres (radius 0: none), ``lantern_light`` what it gives at one metre.
     """
@@ -44,10 +44,10 @@ class Hour:
     lantern_light: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
-DAY: Final = Hour()
+DAY: Final = RoomLight()
 
 
-def room_values(probes: Probes, told: Mapping[str, Any], eye: Eye, hour: Hour) -> dict[str, Any]:
+def room_values(probes: Probes, told: Mapping[str, Any], eye: CrowdCamera, hour: RoomLight) -> dict[str, Any]:
     """Return the uniforms of everything that is drawn in a room."""
     right, up, back = eye.axes()
     wide, tall = (size / 2.0 / eye.focal_px for size in eye.size_px)
@@ -63,8 +63,8 @@ def room_values(probes: Probes, told: Mapping[str, Any], eye: Eye, hour: Hour) -
                      else {})  # fmt: skip
 
 
-def exposure(probes: Probes, told: Mapping[str, Any], place: Array, ahead: Array, hour: Hour) -> tuple[float, ...]:
-    """Return what red, green and blue are multiplied by for an eye that looks ahead from a place."""
+def exposure(probes: Probes, told: Mapping[str, Any], place: Array, ahead: Array, hour: RoomLight) -> tuple[float, ...]:
+    """Return the factors of red, green and blue for a camera that looks ahead from a point."""
     level_way = ahead * (1.0, 0.0, 1.0) / max(float(np.hypot(ahead[0], ahead[2])), 1e-6)
     places = np.array([[place[0], CHEST_M, place[2]] + level_way * far for far in AHEAD_M])
     light, sun = light_at(probes, places)
@@ -76,7 +76,7 @@ def exposure(probes: Probes, told: Mapping[str, Any], place: Array, ahead: Array
 
 
 def sun_clip(told: Mapping[str, Any], place: Array, ahead: Array) -> Array:
-    """Return the (4, 4) matrix to the clip space of the sun's picture of who stands before an eye."""
+    """Return the (4, 4) matrix to the clip space of the sun's shadow map of who stands before a camera."""
     way = np.array(told["sun_way"], float)
     right = np.cross([0.0, 0.0, 1.0] if abs(way[2]) < 0.9 else [1.0, 0.0, 0.0], way)
     right /= np.linalg.norm(right)

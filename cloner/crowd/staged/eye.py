@@ -15,7 +15,7 @@ FAR_M: Final = 1200.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Eye:
+class CrowdCamera:
     """A camera of the crowd.
 
     Attributes
@@ -31,7 +31,7 @@ class Eye:
     focal_px: float
 
     def axes(self) -> Array:
-        """Return (3, 3) the unit ways to the right, up and back."""
+        """Return (3, 3) the unit vectors to the right, up and back."""
         back = np.asarray(self.place_m, float) - self.target_m
         back /= np.linalg.norm(back)
         right = np.cross([0.0, 1.0, 0.0], back)

@@ -19,7 +19,7 @@ MOST_SAID: Final = 1_000
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """What one person says: who, from which second on, the first row of weights, how many, the sound's file or ""."""
+    """One utterance: who, start in seconds, the first row of weights, the number of rows, the sound's file or ""."""
 
     who: int
     when: float
@@ -30,7 +30,7 @@ class Utterance:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SpeechTrack:
-    """All that is said: (F, K) weights of `cloner.crowd.clones.faces.TARGETS`, padded, and who says which rows."""
+    """All speech: (F, K) weights of `cloner.crowd.clones.faces.TARGETS`, padded, and who says which rows."""
 
     weights: NDArray[np.float32]
     said: Sequence[Utterance]
@@ -51,7 +51,7 @@ class SpeechTrack:
 
 
 def faces_values(who: Sequence[int], weights: NDArray[np.float32]) -> dict[str, Any]:
-    """Return what shaders are told of :meth:`Spoken.faces`."""
+    """Return the uniforms of :meth:`SpeechTrack.faces`."""
     speaks, mouths = np.full(MOST_AT_ONCE, -1), np.zeros((MOST_AT_ONCE, weights.shape[1]), np.float32)
     speaks[: len(who)], mouths[: len(who)] = who, weights
     return {"speakers": len(who), "speaks": tuple(speaks.tolist()),

@@ -19,7 +19,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.cast import posed
+from cloner.crowd.clones.cast import skin_vertices
 from cloner.crowd.clones.clips import WALK_FRAMES
 from cloner.crowd.clones.levels import BodyLevels
 from cloner.crowd.clones.stock import BONE_FULL, BONE_REACH_M, BOX_MIN_M, BOX_STEP_M, CloneArrays
@@ -77,8 +77,8 @@ class Acted:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Parts:
-    """A footing in equal parts: (n + 1,) frames, shares, headings and (n + 1, 2) places of the body."""
+class FootingParts:
+    """A footing in equal parts: (n + 1,) frames, shares, headings and (n + 1, 2) positions of the body."""
 
     frames: Array
     shares: Array
@@ -86,8 +86,8 @@ class Parts:
     places: Array
 
 
-def fits(acted: Acted, clips: Sequence[int]) -> bool:
-    """Return whether all numbers lie where they are read, for clones with so many clips each."""
+def is_in_range(acted: Acted, clips: Sequence[int]) -> bool:
+    """Return whether all numbers are in range, for clones with so many clips each."""
     own, rows, starts = acted.footings, acted.people, acted.starts.astype(np.int64)
     lists = (acted.footings, acted.people, acted.touches, acted.clips, acted.blocks)
     if not all(np.isfinite(one).all() for one in lists) or len(set(clips)) != 1:
@@ -117,8 +117,8 @@ def fits(acted: Acted, clips: Sequence[int]) -> bool:
     )
 
 
-def parts_of(row: NDArray[Any], touches: NDArray[Any], scale: float) -> Parts:
-    """Return a footing that is no standing in its parts.
+def split_footing(row: NDArray[Any], touches: NDArray[Any], scale: float) -> FootingParts:
+    """Return a walking footing in its parts.
 
     Parameters
     ----------
@@ -157,22 +157,22 @@ def parts_of(row: NDArray[Any], touches: NDArray[Any], scale: float) -> Parts:
     if before_it >= 0:
         walk = touches[before_it, at].astype(np.float64) * scale
         rest, rest_two = walk[:, 0:2], walk[:, 2:4]
-    before = turned_by(headings[:-1], rest + (one - rest) * shares[:-1, None])
-    after = turned_by(headings[1:], rest_two + (two - rest_two) * shares[1:, None])
+    before = rotate_by_heading(headings[:-1], rest + (one - rest) * shares[:-1, None])
+    after = rotate_by_heading(headings[1:], rest_two + (two - rest_two) * shares[1:, None])
     places = np.zeros((count + 1, 2))
     places[0] = row[X], row[Z]
     places[1:] = places[0] + np.cumsum(before - after, axis=0)
-    return Parts(frames, shares, headings, places)
+    return FootingParts(frames, shares, headings, places)
 
 
-def turned_by(headings: Any, points: Array) -> Array:
-    """Return (n, 2) x and z of points of bodies that face (n,) headings."""
+def rotate_by_heading(headings: Any, points: Array) -> Array:
+    """Return (n, 2) x and z of points of bodies with (n,) headings."""
     c, s = np.cos(headings), np.sin(headings)
     return np.stack([c * points[:, 0] + s * points[:, 1], c * points[:, 1] - s * points[:, 0]], axis=1)
 
 
-def rows_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
-    """Return everybody's rows at a time, or each at an own one, (N, 5, 4) float32, as ``footing.js`` fills them."""
+def people_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
+    """Return everybody's rows at a time, or each at their own, (N, 5, 4) float32, as ``footing.js`` does."""
     rows = acted.people.copy()
     for who, now in enumerate(np.broadcast_to(times, len(rows)).tolist()):
         own = acted.footings[acted.starts[who] : acted.starts[who + 1]]
@@ -184,8 +184,8 @@ def rows_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
     return rows
 
 
-def felt_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
-    """Return (N, 2) as which walk each feels at a time, and how much of it the face shows, as ``footing.js`` does."""
+def feelings_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
+    """Return (N, 2) each person's feeling at a time and how strongly the face shows it, as ``footing.js`` does."""
     felt = np.zeros((len(acted.people), 2), np.float32)
     for who, now in enumerate(np.broadcast_to(times, len(felt)).tolist()):
         own = acted.footings[acted.starts[who] : acted.starts[who + 1]]
@@ -213,7 +213,7 @@ def _fill(row: NDArray[np.float32], footing: Array, acted: Acted, now: float) ->
             x, z = x + (footing[SHARE] - x) * share, z + (footing[SHARE_LAST] - z) * share
         _put(row, (x, z, footing[HEADING]), *shown)
         return
-    own = parts_of(footing, acted.touches[clone], scale)
+    own = split_footing(footing, acted.touches[clone], scale)
     count = len(own.frames) - 1
     at = since / (since + rest) * count
     k = min(int(at), count - 1)
@@ -247,7 +247,7 @@ def _put(
     row[4, 0] = other * CLIP_STEP + second
 
 
-def touches_of(numbers: CloneArrays, body: BodyLevels, clips: Sequence[Mapping[str, Any]]) -> NDArray[np.float32]:
+def touching_points(numbers: CloneArrays, body: BodyLevels, clips: Sequence[Mapping[str, Any]]) -> NDArray[np.float32]:
     """Return (K, WALK_FRAMES, 6) the touching points of a clone's walks; see :class:`Acted`.
 
     Parameters
@@ -274,10 +274,10 @@ def touches_of(numbers: CloneArrays, body: BodyLevels, clips: Sequence[Mapping[s
 
 
 def sole_places(numbers: CloneArrays, body: BodyLevels, side: str) -> Array:
-    """Return (F, n, 3) where the points of a sole are in all frames of a clone's clips, model frame, metres."""
+    """Return (F, n, 3) the points of a sole in all frames of a clone's clips, model frame, metres."""
     generic = load_generic()
     sole = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
     rows = np.flatnonzero(np.isin(body.vertex, sole))
     rest = np.array(BOX_MIN_M) + numbers.vertices[rows, :3].astype(np.float64) * BOX_STEP_M
     frames = numbers.bones.astype(np.float64) / BONE_FULL * (1.0, 1.0, 1.0, BONE_REACH_M)
-    return np.stack([posed(rest, body.joints[rows], body.weights[rows], frame) for frame in frames])
+    return np.stack([skin_vertices(rest, body.joints[rows], body.weights[rows], frame) for frame in frames])

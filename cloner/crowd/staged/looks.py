@@ -38,7 +38,7 @@ _KEYS: Final = {"palette", "own_share", "dyed_share", "wardrobe"}
 
 
 def read_looks(path: Path | None) -> dict[str, Any]:
-    """Return what ``looks.toml`` says, or nothing.
+    """Return the contents of ``looks.toml``, empty if there is none.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def read_looks(path: Path | None) -> dict[str, Any]:
     return data
 
 
-def casting_of(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[str, Any]) -> Casting:
+def make_casting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[str, Any]) -> Casting:
     """Return palettes and wardrobe of some clones.
 
     Parameters
@@ -82,8 +82,8 @@ def casting_of(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[s
     return Casting(len(masks), palettes, wardrobe, own, min(dyed, 1.0 - own))
 
 
-def lendable(cast: CrowdClone) -> dict[str, NDArray[np.bool_]]:
-    """Return which texels each of a clone's garments covers, (S, S) each; none where it hangs on as a loose shell.
+def exchangeable_garments(cast: CrowdClone) -> dict[str, NDArray[np.bool_]]:
+    """Return which texels each of a clone's garments covers, (S, S) each; none for loose shells.
 
     A skirt's or a coat's shell belongs to its wearer alone: what it hangs from is neither lent nor put off.
     """

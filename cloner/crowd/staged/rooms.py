@@ -48,7 +48,9 @@ class Probes:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LitRoom:
-    """What is drawn: (3 T, 8) corners (place, uv, light-map uv, look); pictures (H, W, 3); the sun's share (H, W)."""
+    """What is drawn: (3 T, 8) corners (position, uv, light-map uv, look); pictures (H, W, 3); the
+    sun's share (H, W).
+    """
 
     corners: NDArray[np.float32]
     looks: NDArray[np.uint8]
@@ -59,7 +61,7 @@ class LitRoom:
 
 
 def light_at(probes: Probes, places: Array) -> tuple[Array, Array]:
-    """Return the (N, 3, 4) light and (N,) sun at (N, 3) places, straight between the eight probes around."""
+    """Return the (N, 3, 4) light and (N,) sun at (N, 3) points, trilinear between the eight probes around."""
     levels = np.interp(places[:, 1], probes.heights, np.arange(len(probes.heights)))
     across = (places[:, [2, 0]] - probes.low[[2, 0]]) / probes.step
     shape = np.array(probes.sun.shape)
@@ -75,8 +77,8 @@ def light_at(probes: Probes, places: Array) -> tuple[Array, Array]:
     return light, sun
 
 
-def glow_of(probes: Probes, rows: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return the (N, GLOW, 4) light of people whose (N, 5, 4) rows tell where they are."""
+def people_light(probes: Probes, rows: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the (N, GLOW, 4) light of people at the positions in their (N, 5, 4) rows."""
     places = np.column_stack([rows[:, 0, 1], CHEST_M + rows[:, 4, 2], rows[:, 0, 2]]).astype(np.float64)
     light, sun = light_at(probes, places)
     glow = np.zeros((len(rows), GLOW, 4), np.float32)

@@ -1,4 +1,4 @@
-"""Placement and looks of people who stand, walk and sit: the same rules as ``web/scene.js``, number for number.
+"""Positions and looks of people who stand, walk and sit: the same rules as ``web/scene.js``, number for number.
 
 Paths are closed formulas of time, so that the shaders place everybody: lanes along Z, rings around the middle, seats.
 Neighbouring lanes and rings take their clones from three different classes, so the same clone never comes near itself.
@@ -51,7 +51,7 @@ class Mulberry32:
         return ((t ^ (t >> 14)) & _MASK) / 4294967296.0
 
     def pick(self, count: int) -> int:
-        """Return a whole number, 0 <= k < count."""
+        """Return an integer, 0 <= k < count."""
         return min(int(self.roll() * count), count - 1)
 
 
@@ -89,8 +89,8 @@ class Scene:
     lane_m: float
 
 
-def scene_of(name: str, people: int, casting: Casting, seed: int = 1) -> Scene:
-    """Return so many people in a scene of `SCENES`.
+def make_scene(name: str, people: int, casting: Casting, seed: int = 1) -> Scene:
+    """Return a number of people in a scene of `SCENES`.
 
     Raises
     ------
@@ -167,7 +167,7 @@ def _stadium(people: int, casting: Casting, dice: Mulberry32) -> Scene:
 
 
 def _order(line: int, casting: Casting, dice: Mulberry32) -> list[int]:
-    """Return the clones of a lane, ring or row in the order they come again and again."""
+    """Return the clones of a lane, ring or row in repeating order."""
     own = [c for c in range(casting.clones) if casting.clones < ENOUGH or c % CLASSES == line % CLASSES]
     for k in range(len(own) - 1, 0, -1):
         other = dice.pick(k + 1)
@@ -176,7 +176,7 @@ def _order(line: int, casting: Casting, dice: Mulberry32) -> list[int]:
 
 
 def _mixed(order: list[int], k: int, dice: Mulberry32) -> None:
-    """Let some neighbours change places after each time round: an eye sees rows that come again and again.
+    """Exchange some neighbours after each repetition, as repeated rows are conspicuous.
 
     Rings and lanes close, and a clone would meet itself there.
     """
@@ -196,19 +196,19 @@ def _add(
     casting: Casting,
     dice: Mulberry32,
 ) -> None:
-    scale = scale_of(dice)
+    scale = random_scale(dice)
     phase = dice.roll()
-    donors, dyes = look_of(clone, casting, dice)
+    donors, dyes = random_look(clone, casting, dice)
     rows += [path, [speed, phase, clone, scale], [*donors, clip], dyes, [up, 0.0, 0.0, 0.0]]
 
 
-def scale_of(dice: Mulberry32) -> float:
-    """Return how large somebody is against the clone."""
+def random_scale(dice: Mulberry32) -> float:
+    """Return a person's size relative to the clone."""
     return 0.96 + 0.08 * dice.roll()
 
 
-def look_of(clone: int, casting: Casting, dice: Mulberry32) -> tuple[list[float], list[float]]:
-    """Return whose top, bottom and shoes somebody wears, and the dyes of top, bottom, shoes and hair or -1."""
+def random_look(clone: int, casting: Casting, dice: Mulberry32) -> tuple[list[float], list[float]]:
+    """Return whose top, bottom and shoes a person wears, and the dyes of top, bottom, shoes and hair or -1."""
     donors, dyes = [float(clone)] * 3, [-1.0] * 4
     kind = dice.roll()
     for k, garment in enumerate(("top", "bottom", "shoes")):
@@ -230,8 +230,8 @@ def _scene(rows: list[list[float]], lane_m: float) -> Scene:
     return Scene(np.array(rows, np.float32).reshape(-1, PERSON_TEXELS, 4), lane_m)
 
 
-def places(scene: Scene, now: float) -> NDArray[np.float64]:
-    """Return (N, 3) where everybody is at a time, metres; as ``common.glsl`` does."""
+def places_at(scene: Scene, now: float) -> NDArray[np.float64]:
+    """Return (N, 3) everybody's position at a time, metres; as ``common.glsl`` does."""
     path, pace, up = (scene.rows[:, k].astype(np.float64) for k in (0, 1, 4))
     out = np.column_stack([path[:, 1], up[:, 0], path[:, 2]])
     lane = path[:, 0] == 1.0
@@ -245,7 +245,7 @@ def places(scene: Scene, now: float) -> NDArray[np.float64]:
 
 
 def looks_shown(scene: Scene) -> int:
-    """Return how many different looks there are: clone, whose garments, dyes."""
+    """Return the number of different looks: clone, whose garments, dyes."""
     looks = np.column_stack([scene.rows[:, 1, 2], scene.rows[:, 2, :3], scene.rows[:, 3]])
     return len(np.unique(looks, axis=0))
 

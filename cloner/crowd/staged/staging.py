@@ -1,4 +1,4 @@
-"""How a pack is staged: who is a statue when, cameras and their cuts, light, captions; ``staging.js`` plays the same.
+"""A pack's staging: who is a statue when, cameras and cuts, light, captions; ``staging.js`` plays the same.
 
 All is told by keys: rows of a time and values, eased from one to the next, held before the first and after the last.
 Frames are the page's: metres, Y up; times are seconds of the pack's own clock.
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-from cloner.crowd.staged.daylight import Hour
-from cloner.crowd.staged.footing import GONE, Acted, rows_at
+from cloner.crowd.staged.daylight import RoomLight
+from cloner.crowd.staged.footing import GONE, Acted, people_at
 from cloner.easing import smoothstep
 from cloner.records.arrays import Array
 
@@ -29,7 +29,7 @@ HEADLESS, HEAD_ALONE = 1.0, 2.0
 HEAD_MIDDLE, EYES = 0.93, 0.93
 
 
-def eased(keys: Keys, now: float) -> Array:
+def eased_value(keys: Keys, now: float) -> Array:
     """Return (k,) the values at a time of keys of k + 1 numbers."""
     rows = np.array(keys, np.float64)
     after = int(np.searchsorted(rows[:, 0], now, side="right"))
@@ -41,90 +41,90 @@ def eased(keys: Keys, now: float) -> Array:
 
 
 class Staging:
-    """What ``crowd.json`` tells under ``staging``."""
+    """The contents of ``staging`` in ``crowd.json``."""
 
     def __init__(self, told: Mapping[str, Any], statures_m: Sequence[float]) -> None:
         self._told, self._statures = told, np.array(statures_m)
 
     def rows(self, acted: Acted, now: float) -> NDArray[np.float32]:
-        """Return everybody's rows at a time, as :func:`cloner.crowd.staged.footing.rows_at`, with what is staged."""
+        """Return everybody's staged rows at a time, as :func:`cloner.crowd.staged.footing.people_at`."""
         told = self._told
         times = np.full(len(acted.people), now)
         for who, wakes in told["wakes"]:
             times[who] = max(times[who], wakes)
         for who, hardens in told["hardens"]:
             times[who] = min(times[who], hardens)
-        rows = rows_at(acted, times)
+        rows = people_at(acted, times)
         for name, column in (("stone", STONE), ("up", UP)):
             for who, keys in told[name]:
-                rows[who, 4, column] = eased(keys, now)[0]
+                rows[who, 4, column] = eased_value(keys, now)[0]
         for head in told["heads"]:
             body, own = rows[head["of"]], rows[head["who"]]
             if now >= head["until"]:
                 own[0, 0] = GONE
                 continue
-            x, y, z, heading, lean = eased(head["path"], now)
+            x, y, z, heading, lean = eased_value(head["path"], now)
             middle = HEAD_MIDDLE * self._statures[int(own[1, 2])] * own[1, 3]
             own[0, 1:], own[4, UP], own[4, PART] = (x, z, heading), y - middle, HEAD_ALONE + lean % 1.0
             own[4, STONE] = body[4, STONE]
             body[4, PART] = HEADLESS
         return rows
 
-    def hour(self, now: float) -> Hour:
-        """Return how the room is lit at a time."""
+    def hour(self, now: float) -> RoomLight:
+        """Return the room's lighting at a time."""
         told = self._told
-        lantern = eased(told["lantern"], now)
+        lantern = eased_value(told["lantern"], now)
         light, at = lantern[3:], lantern[:3]
-        return Hour(
-            tuple(eased(told["light"], now).tolist()), float(eased(told["stars"], now)[0]),
-            float(eased(told["stops"], now)[0]), (*at.tolist(), LANTERN_M if light.any() else 0.0),
+        return RoomLight(
+            tuple(eased_value(told["light"], now).tolist()), float(eased_value(told["stars"], now)[0]),
+            float(eased_value(told["stops"], now)[0]), (*at.tolist(), LANTERN_M if light.any() else 0.0),
             tuple(light.tolist()),
         )  # fmt: skip
 
     def camera(self, rows: NDArray[np.float32], now: float) -> tuple[Place, Place, float]:
-        """Return where the eye stands, where it looks, and its field, degrees from bottom to top."""
+        """Return the camera's position, its target, and its vertical field of view, degrees."""
         shots = self._told["shots"]
         keys = next((one for one in reversed(shots) if now >= one[0][0]), shots[0])
         plain = [[key[0], *key[1:4], *self._look(key, rows), key[8]] for key in keys]
-        found = eased(plain, now)
+        found = eased_value(plain, now)
         return tuple(found[:3].tolist()), tuple(found[3:6].tolist()), float(found[6])
 
     def _look(self, key: Sequence[float], rows: NDArray[np.float32]) -> Array:
         return np.array(key[4:7]) if key[7] < 0 else self.head(rows, int(key[7]))
 
     def head(self, rows: NDArray[np.float32], who: int) -> Array:
-        """Return (3,) where somebody's eyes are."""
+        """Return (3,) the position of a person's eyes."""
         own = rows[who].astype(np.float64)
         return np.array([own[0, 1], own[4, UP] + EYES * self._statures[int(own[1, 2])] * own[1, 3], own[0, 2]])
 
     def caption(self, now: float) -> str:
-        """Return what stands below the picture at a time."""
+        """Return the caption at a time."""
         return next((text for first, last, text in self._told["captions"] if first <= now < last), "")
 
     def curtain(self, now: float) -> float:
         """Return how far the curtain is open, 0 (dark) to 1."""
-        return float(eased(self._told["curtain"], now)[0])
+        return float(eased_value(self._told["curtain"], now)[0])
 
 
-def staging_of(facts: Mapping[str, Any]) -> Staging | None:
-    """Return how a pack is staged, None where it is not."""
+def read_staging(facts: Mapping[str, Any]) -> Staging | None:
+    """Return a pack's staging, None without one."""
     return Staging(facts["staging"], [row["stature_m"] for row in facts["people"]]) if "staging" in facts else None
 
 
-def finished(shown: NDArray[np.uint8], caption: str, curtain: float) -> NDArray[np.uint8]:
-    """Return an (H, W, 3) picture with its caption below and as dark as the curtain makes it."""
+def add_caption(shown: NDArray[np.uint8], caption: str, curtain: float) -> NDArray[np.uint8]:
+    """Return an (H, W, 3) picture with its caption below, darkened by the curtain."""
     image = Image.fromarray(np.rint(shown * min(max(curtain, 0.0), 1.0)).astype(np.uint8) if curtain < 1.0 else shown)
     if caption:
         size = max(image.height * LETTERS, 9.0)
         pen, letters = ImageDraw.Draw(image), ImageFont.load_default(size)
         where = (image.width / 2.0, image.height * CAPTION_AT)
-        pen.multiline_text(where, wrapped(caption), CREAM, letters, "mm", align="center",
+        pen.multiline_text(where, wrap_caption(caption), CREAM, letters, "mm", align="center",
                            stroke_width=max(round(size / 12), 1), stroke_fill=(0, 0, 0))  # fmt: skip
     return np.asarray(image)
 
 
-def wrapped(text: str) -> str:
-    """Return a caption in lines that fit."""
+def wrap_caption(text: str) -> str:
+    """Return a caption broken into lines that fit."""
     return "\n".join(textwrap.wrap(text, LINE))
 
 

@@ -125,3 +125,15 @@ def interpolation_weights(nodes: Array, wanted: Array) -> Array:
     weights[np.arange(len(wanted)), right - 1] = 1.0 - share
     weights[np.arange(len(wanted)), right] += share
     return weights
+
+
+def upsample(values: Array, coarse: Grid, fine: Grid) -> Array:
+    """Return a coarse grid's values interpolated to a fine grid of the same panel.
+
+    Nodes in solids have no say where others have: light would come through walls.
+    """
+    up, along = interpolation_weights(coarse.v, fine.v), interpolation_weights(coarse.u, fine.u)
+    there = coarse.there[..., None]
+    weight = np.einsum("ai,bj,ijc->abc", up, along, there.astype(float), optimize=True)
+    own = np.einsum("ai,bj,ijc->abc", up, along, values * there, optimize=True) / np.maximum(weight, 1e-9)
+    return np.asarray(np.where(weight > 1e-6, own, np.einsum("ai,bj,ijc->abc", up, along, values, optimize=True)))

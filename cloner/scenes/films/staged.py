@@ -10,7 +10,7 @@ import numpy as np
 
 from cloner.acting.tracks import Track, footings_on_tracks, make_feet
 from cloner.crowd.clones.stock import CrowdArrays
-from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
+from cloner.crowd.staged.footing import COLUMNS, Acted, touching_points
 from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Mulberry32
 from cloner.crowd.staged.staging import HEAD_MIDDLE, PLAIN
 from cloner.errors import ClonerError
@@ -55,7 +55,7 @@ def compile_film(
         raise ClonerError(f"nobody in the pack knows how to {missing[0]}", hint, "the film")
     clones = _clones(film.actors, [str(row["id"]) for row in people])
     touches = np.stack(
-        [touches_of(own, stock.body, row["clips"]) for own, row in zip(stock.numbers, people, strict=True)]
+        [touching_points(own, stock.body, row["clips"]) for own, row in zip(stock.numbers, people, strict=True)]
     )
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     speeds = np.array([[c["speed_m_s"] for c in row["clips"]] for row in people])

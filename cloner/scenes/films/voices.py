@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.acting.written import SpokenParts
 from cloner.crowd.clones.faces import TARGETS, WEIGHTS
 from cloner.crowd.drawing.player import SPOKEN_FILE
-from cloner.crowd.packs.files import packed
+from cloner.crowd.packs.files import pack_arrays
 from cloner.crowd.staged.faces import MOST_AT_ONCE, MOST_SAID, Utterance
 from cloner.crowd.staged.faces import RATE_HZ as FACES_HZ
 from cloner.errors import ClonerError
@@ -55,7 +55,7 @@ def read_voices(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
         for who in actors
     )
     _check_at_once(film, said)
-    data, told = packed({"weights": np.concatenate(list(rows.values()))})
+    data, told = pack_arrays({"weights": np.concatenate(list(rows.values()))})
     kept = {SPOKEN_FILE: data} | {
         file: wav_bytes(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()
     }

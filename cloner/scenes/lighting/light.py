@@ -29,6 +29,7 @@ from cloner.scenes.building.charts import (
     interpolation_weights,
     make_charts,
     make_grid,
+    upsample,
 )
 from cloner.scenes.building.looks import Look
 from cloner.scenes.building.pieces import Quad
@@ -117,7 +118,7 @@ def light_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, pr
             break
     values = []
     for own, grid, coarse, more in zip(direct, fine, lattice, back, strict=True):
-        whole = fill_missing(own, grid.there) + _upsampled(more, coarse, grid)
+        whole = fill_missing(own, grid.there) + upsample(more, coarse, grid)
         values.append(np.maximum(whole, 0.0))
     progress("light", 1.0)
     sun = [fill_missing(own[..., None], grid.there) for own, grid in zip(sunny, fine, strict=True)]
@@ -294,15 +295,3 @@ def _cell_means(values: Array, there: NDArray[np.bool_] | None, means: tuple[Arr
         return np.asarray((up @ values.transpose(2, 0, 1) @ along.T).reshape(3, -1).T)
     own = up @ (values * there[..., None]).transpose(2, 0, 1) @ along.T
     return np.asarray((own / np.maximum(up @ there @ along.T, 1e-9)).reshape(3, -1).T)
-
-
-def _upsampled(values: Array, coarse: Grid, fine: Grid) -> Array:
-    """Return a coarse grid's values interpolated to a fine grid of the same panel.
-
-    Nodes in solids have no say where others have: light would come through walls.
-    """
-    up, along = interpolation_weights(coarse.v, fine.v), interpolation_weights(coarse.u, fine.u)
-    there = coarse.there[..., None]
-    weight = np.einsum("ai,bj,ijc->abc", up, along, there.astype(float), optimize=True)
-    own = np.einsum("ai,bj,ijc->abc", up, along, values * there, optimize=True) / np.maximum(weight, 1e-9)
-    return np.asarray(np.where(weight > 1e-6, own, np.einsum("ai,bj,ijc->abc", up, along, values, optimize=True)))

@@ -14,8 +14,8 @@ from PIL import Image
 
 from cloner.crowd.clones.cast import ATLAS_PX, SHELL_PX
 from cloner.crowd.clones.faces import face_wedges
-from cloner.crowd.clones.levels import BodyLevels, budgets_in
-from cloner.crowd.packs.files import unpacked
+from cloner.crowd.clones.levels import BodyLevels, read_budgets
+from cloner.crowd.packs.files import unpack_arrays
 from cloner.crowd.packs.told import find_invalid_newcomer
 from cloner.crowd.staged.footing import CLIP_STEP
 from cloner.errors import ClonerError, printable
@@ -71,7 +71,7 @@ def parse_clone(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], 
         if _size(files[name]) != size:
             raise _refusal(name)
     try:
-        arrays = unpacked(files["numbers.bin"], row["arrays"])
+        arrays = unpack_arrays(files["numbers.bin"], row["arrays"])
     except ValueError as error:
         raise _refusal("numbers.bin") from error
     frames = arrays["clips"][:, 0]
@@ -79,7 +79,7 @@ def parse_clone(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], 
     fits = (
         loose >= 0
         and len(arrays["loose"]) == 2 * loose
-        and len(arrays["corners"]) == 3 * sum(budgets_in(facts["numbers"]["loose"]))
+        and len(arrays["corners"]) == 3 * sum(read_budgets(facts["numbers"]["loose"]))
         and (not loose or arrays["corners"].max() < loose)
         and all(np.isfinite(arrays[name]).all() for name in ("table", "touches", "clips"))
         and len(frames) == len(arrays["touches"]) == len(facts["people"][0]["clips"])

@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import make_crowd_clone
-from cloner.crowd.clones.levels import BodyLevels, budgets_in
+from cloner.crowd.clones.levels import BodyLevels, read_budgets
 from cloner.crowd.clones.people import Found, load_person
-from cloner.crowd.packs.files import packed, shell_bytes, webp
+from cloner.crowd.packs.files import encode_webp, pack_arrays, shell_bytes
 from cloner.crowd.packs.pack import ATLAS_QUALITY
-from cloner.crowd.staged.footing import touches_of
+from cloner.crowd.staged.footing import touching_points
 from cloner.crowd.staged.scene import IDLE
 from cloner.errors import ClonerError
 from cloner.project.clone_file import CLONE_FILE
@@ -56,7 +56,7 @@ def make_newcomer(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> N
     own = facts["people"][0]
     match = _GENERIC.search(str(own["stamp"]))
     clone, _ = load_person(found, match.group(1) if match else "")
-    budgets = budgets_in(facts["numbers"]["loose"])
+    budgets = read_budgets(facts["numbers"]["loose"])
     names = tuple(str(one["name"]) for one in own["clips"])
     cast = make_crowd_clone(
         "newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2,
@@ -65,23 +65,25 @@ def make_newcomer(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> N
     if tuple(one.name for one in cast.clips) != names:
         hint = "Make the pack again with cloner crowd --feelings, without --walk, and the scene of it"
         raise ClonerError("the scene's clones walk as newcomers cannot", hint, found.identifier)
-    numbers = stock.numbers_of(cast, budgets)
+    numbers = stock.clone_arrays(cast, budgets)
     texels = float(facts["switch"]["texels_per_m"])
     clips = [{"frames": len(one.frames), "speed_m_s": one.speed_m_s} for one in cast.clips]
-    touches = touches_of(numbers, body, clips)
+    touches = touching_points(numbers, body, clips)
     lengths = np.array([[len(one.frames), one.seconds] for one in cast.clips], np.float32)
     arrays: dict[str, NDArray[Any]] = {
         "vertices": numbers.vertices, "loose": numbers.loose, "corners": numbers.corners, "bones": numbers.bones,
-        "table": stock.table_row(cast, stock.no_sets(cast), texels, int(own["views"]), 0),
+        "table": stock.table_row(cast, stock.sets_without_impostors(cast), texels, int(own["views"]), 0),
         "tiles": np.zeros((2, 4), np.float32), "touches": touches, "clips": lengths,
     }  # fmt: skip
     if cast.face is not None:
         arrays["moves"] = cast.face
-    data, told = packed(arrays)
+    data, told = pack_arrays(arrays)
     files = {
-        "numbers.bin": data, "atlas.webp": webp(cast.atlas, ATLAS_QUALITY), "codes.webp": webp(cast.marks, None),
+        "numbers.bin": data,
+        "atlas.webp": encode_webp(cast.atlas, ATLAS_QUALITY),
+        "codes.webp": encode_webp(cast.marks, None),
         "shell.webp": shell_bytes(cast.shell),
-    }  # fmt: skip
+    }
     row = {"arrays": told, "stature_m": round(cast.stature_m, 4)}
     return Newcomer(files, row, touches, lengths)
 

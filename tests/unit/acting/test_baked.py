@@ -22,7 +22,7 @@ from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.packs.still import draw_pack
 from cloner.crowd.packs.told import find_invalid
-from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP, GONE, LAST, OTHER, rows_at
+from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP, GONE, LAST, OTHER, people_at
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
@@ -63,14 +63,14 @@ def test_everybody_is_where_the_trajectories_have_them_or_gone(baked: Path, walk
     acted, told = read_acted(baked, read_facts(baked)), read_trajectories(walk)
     off = []
     for frame in range(0, len(told.place) - 1, 5):
-        rows = rows_at(acted, frame / RATE_HZ + 1e-4)
+        rows = people_at(acted, frame / RATE_HZ + 1e-4)
         here = told.present[frame]
         assert (rows[here, 0, 0] == BY_FOOTINGS).all()
         want = np.column_stack([told.place[frame, :, 0], -told.place[frame, :, 1]])
         off.append(np.linalg.norm(rows[:, 0, 1:3] - want, axis=1)[here])
     assert np.concatenate(off).mean() < 0.3
     assert np.concatenate(off).max() < 1.7, "who turns about needs a second for it"
-    last = rows_at(acted, SECONDS - 0.05)
+    last = people_at(acted, SECONDS - 0.05)
     assert (last[~told.present[-2], 0, 0] == GONE).all()
 
 
@@ -112,7 +112,7 @@ def test_who_looks_at_something_faces_it(baked: Path, walk: Path) -> None:
     for who in range(7):
         acts = (told.posture[:, who] == photograph) & told.present[:, who]
         for frame in (k for k in range(15, len(acts) - 6) if acts[k - 15 : k + 6].all()):
-            row = rows_at(acted, frame / RATE_HZ)[who]
+            row = people_at(acted, frame / RATE_HZ)[who]
             away = lion - row[0, 1:3]
             off = (np.arctan2(away[0], away[1]) - row[0, 3] + np.pi) % (2.0 * np.pi) - np.pi
             assert abs(np.degrees(off)) < 15.0, (who, frame)
@@ -217,7 +217,7 @@ def test_the_page_plays_it_from_the_disk_and_asks_nobody(baked: Path, tmp_path: 
             page.value(f"crowd.set({{scene: 'scenario', now: {now}, place: [8, 7, 8], target: [8, 0, -5]}})")
             page.value("crowd.draw()")
             there = np.array(page.value("Array.from(walkers.rows)")).reshape(-1, 5, 4)
-            want = rows_at(acted, now)
+            want = people_at(acted, now)
             here = want[:, 0, 0] == BY_FOOTINGS
             assert np.array_equal(here, there[:, 0, 0] == BY_FOOTINGS)
             assert np.abs(there[here] - want[here]).max() < 1e-3

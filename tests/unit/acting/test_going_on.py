@@ -14,7 +14,7 @@ from cloner.acting.written import bake_file
 from cloner.behaviour.language import parse_scenario
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.reading import read_acted, read_facts
-from cloner.crowd.staged.footing import GONE, rows_at
+from cloner.crowd.staged.footing import GONE, people_at
 from kit.browser import CHROMIUM, Page, browser
 
 pytestmark = [pytest.mark.gl, pytest.mark.slow,
@@ -61,7 +61,7 @@ def test_the_page_takes_the_very_steps_that_a_longer_bake_has(page: Page, packs:
     assert check_pack(packs[0])[-1].startswith(f"scenario: {PEOPLE + 1} people act {BAKED_S:g} s")
     for _ in range(12):
         now, rows = went_on(page, 1.9)
-        want = rows_at(acted, now)
+        want = people_at(acted, now)
         assert np.array_equal(rows[:, 0, 0] < GONE, want[:, 0, 0] < GONE)
         here = want[:, 0, 0] < GONE
         assert np.abs(rows[here] - want[here]).max(initial=0.0) < 1e-4, now

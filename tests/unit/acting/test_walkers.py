@@ -14,7 +14,17 @@ import cloner.crowd
 from cloner.acting.tracks import Track, footings_on_tracks
 from cloner.behaviour.feet import Feet
 from cloner.crowd.packs.reading import read_facts, read_stock
-from cloner.crowd.staged.footing import CLIP, COLUMNS, FIRST, LAST, OTHER, Acted, fits, rows_at, touches_of
+from cloner.crowd.staged.footing import (
+    CLIP,
+    COLUMNS,
+    FIRST,
+    LAST,
+    OTHER,
+    Acted,
+    is_in_range,
+    people_at,
+    touching_points,
+)
 from cloner.crowd.staged.scene import IDLE
 from kit.feet import Soles
 
@@ -32,7 +42,7 @@ class Stage:
         self.names = [clip["name"] for clip in people[0]["clips"]]
         self.own = [[clip["speed_m_s"] for clip in row["clips"]] for row in people]
         self.touches = np.stack(
-            [touches_of(n, held.body, r["clips"]) for n, r in zip(held.numbers, people, strict=True)]
+            [touching_points(n, held.body, r["clips"]) for n, r in zip(held.numbers, people, strict=True)]
         )
         self.clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
         self.soles = Soles(pack)
@@ -63,7 +73,7 @@ def curve(speed: float, turn: float, walk: int, seconds: float = 10.0, act: int 
 
 def off_m(acted: Acted, track: Track, times: np.ndarray) -> np.ndarray:
     """How far the body is from where the track has it."""
-    return np.array([np.linalg.norm(rows_at(acted, now)[0, 0, 1:3] - track.place(now)) for now in times])
+    return np.array([np.linalg.norm(people_at(acted, now)[0, 0, 1:3] - track.place(now)) for now in times])
 
 
 @pytest.mark.parametrize("name", WALKS)
@@ -129,7 +139,7 @@ def test_a_feeling_that_changes_changes_the_walk_in_one_step(stage: Stage) -> No
     assert set(own[own[:, 0] < 5.5][:, CLIP]) == {sad}
     assert set(own[own[:, 0] > 7.5][:, CLIP]) == {happy}
     assert (own[:, LAST] >= 0.0).all(), "nobody stops for it"
-    body = np.array([rows_at(acted, now)[0, 0, 1:3] for now in np.arange(4.0, 9.0, 1.0 / 60.0)])
+    body = np.array([people_at(acted, now)[0, 0, 1:3] for now in np.arange(4.0, 9.0, 1.0 / 60.0)])
     assert np.linalg.norm(np.diff(body, axis=0), axis=1).max() < 0.06
 
 
@@ -149,7 +159,7 @@ def test_who_looks_elsewhere_turns_on_one_foot_within_a_second(stage: Stage) -> 
     still = np.zeros(len(times), np.int64)
     track = Track(times, np.zeros((len(times), 2)), np.where(times < 2.0, 0.0, 1.5), still + IDLE, still)
     acted = stage.acted(track)
-    assert abs(rows_at(acted, 3.0)[0, 0, 3] - 1.5) <= OFF_RAD + 1e-6
+    assert abs(people_at(acted, 3.0)[0, 0, 3] - 1.5) <= OFF_RAD + 1e-6
     assert OFF_RAD < np.radians(10.0)
     assert stage.soles.slides_mm(acted, 0, 0.0, 5.9).max() < 60.0, "feet are set down beside, two lifts"
 
@@ -161,7 +171,7 @@ def test_acts_begin_and_end_from_standing(stage: Stage) -> None:
     place = np.outer(np.clip(1.3 * (times - 8.0), 0.0, None), (0.0, 1.0))
     acts = np.where(times < 2.0, IDLE, np.where(times < 5.0, wave, np.where(times < 8.0, sit, IDLE)))
     acted = stage.acted(Track(times, place, 0.0 * times, acts, np.zeros(len(times), np.int64)))
-    shown = [rows_at(acted, now)[0] for now in np.arange(0.0, 11.9, 1.0 / 60.0)]
+    shown = [people_at(acted, now)[0] for now in np.arange(0.0, 11.9, 1.0 / 60.0)]
     assert {int(row[2, 3]) for row in shown[150:270]} == {wave}
     assert {int(row[2, 3]) for row in shown[340:440]} == {sit}
     body = np.array([row[0, 1:3] for row in shown])
@@ -195,7 +205,7 @@ def test_the_page_moves_everybody_as_the_painter_does(stage: Stage, tmp_path: Pa
     )  # fmt: skip
     told = np.array(json.loads(subprocess.run(["node", run], capture_output=True, text=True, check=True).stdout))
     for now, row in zip(times, told.reshape(len(times), 5, 4), strict=True):
-        want = rows_at(acted, now)[0]
+        want = people_at(acted, now)[0]
         if want[0, 0] == 4.0:
             assert row[0, 0] == 4.0, "gone"
         else:
@@ -205,11 +215,14 @@ def test_the_page_moves_everybody_as_the_painter_does(stage: Stage, tmp_path: Pa
 def test_numbers_of_others_are_looked_at(stage: Stage) -> None:
     acted = stage.acted(curve(1.3, 0.0, 0))
     kinds = [len(stage.names)] * 2
-    assert fits(acted, kinds)
+    assert is_in_range(acted, kinds)
     for column, value in ((1, -1.0), (2, 99.0), (2, -1.0), (5, 1e6), (0, np.nan), (8, np.inf)):
         own = acted.footings.copy()
         own[2, column] = value
-        assert not fits(Acted(own, acted.starts, acted.people, acted.touches, acted.clips), kinds), (column, value)
-    assert not fits(Acted(acted.footings, acted.starts + 1, acted.people, acted.touches, acted.clips), kinds)
-    assert not fits(acted, [3, 3])
+        assert not is_in_range(Acted(own, acted.starts, acted.people, acted.touches, acted.clips), kinds), (
+            column,
+            value,
+        )
+    assert not is_in_range(Acted(acted.footings, acted.starts + 1, acted.people, acted.touches, acted.clips), kinds)
+    assert not is_in_range(acted, [3, 3])
     assert acted.footings.shape[1] == COLUMNS

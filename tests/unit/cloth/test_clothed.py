@@ -18,7 +18,7 @@ from cloner.cloth.dressing import DressedClone, dress_clone
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.written import dress_file
-from cloner.crowd.clones.cast import CrowdClone, make_crowd_clone, posed
+from cloner.crowd.clones.cast import CrowdClone, make_crowd_clone, skin_vertices
 from cloner.crowd.clones.flowing import decompose_skinning
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.levels import BodyLevels, body_levels
@@ -104,7 +104,7 @@ def test_two_rigid_halves_are_found_exactly() -> None:
         frames.append(np.concatenate([rest[:60] @ turns[0].T, rest[60:] @ turns[1].T + [0.0, 0.01 * k, 0.0]]))
     bones, joints, weights = decompose_skinning(rest, np.array(frames))
     for k in range(6):
-        assert posed(rest, joints, weights, bones[k]) == pytest.approx(frames[k], abs=1e-6)
+        assert skin_vertices(rest, joints, weights, bones[k]) == pytest.approx(frames[k], abs=1e-6)
     assert weights.sum(axis=1) == pytest.approx(1.0)
     assert weights.min() >= 0.0
 
@@ -118,17 +118,19 @@ def test_cloth_flows_in_a_crowd_as_it_was_simulated(
     cloth, errors, hung = loose.cloth, [], []
     (shell,) = [one for one in clone.shells if one.kind == "cloth"]
     for frame in range(0, len(walk.frames), 8):
-        shown = posed(loose.vertices_m, loose.joints, loose.weights, walk.frames[frame])[cloth]
+        shown = skin_vertices(loose.vertices_m, loose.joints, loose.weights, walk.frames[frame])[cloth]
         at = frame * len(flow) / len(walk.frames)
         true = flow[int(at)] + (at % 1.0) * (flow[(int(at) + 1) % len(flow)] - flow[int(at)])
         errors.append(np.linalg.norm(shown - true, axis=1))
-        plain = posed(shell.vertices_m, shell.skin_joints.astype(np.int64), shell.skin_weights, walk.frames[frame])
+        plain = skin_vertices(
+            shell.vertices_m, shell.skin_joints.astype(np.int64), shell.skin_weights, walk.frames[frame]
+        )
         hung.append(np.linalg.norm(plain - true, axis=1))
     rms, usual = (float(np.sqrt(np.mean(np.square(each)))) for each in (errors, hung))
     assert rms < 0.02
     assert rms < 0.25 * usual, "the skeleton alone does not carry it"
     idle = next(clip for clip in made.clips if clip.name == "idle")
-    still = posed(loose.vertices_m, loose.joints, loose.weights, idle.frames[0])[cloth]
+    still = skin_vertices(loose.vertices_m, loose.joints, loose.weights, idle.frames[0])[cloth]
     assert np.linalg.norm(still - loose.vertices_m[cloth], axis=1).max() < 0.06
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.crowd.staged.daylight import CAST_DEEP_M, CAST_M, CAST_PX, KEY, Hour, exposure, sun_clip
+from cloner.crowd.staged.daylight import CAST_DEEP_M, CAST_M, CAST_PX, KEY, RoomLight, exposure, sun_clip
 from cloner.crowd.staged.rooms import Probes
 
 AHEAD = np.array([0.0, 0.0, -1.0])
@@ -21,25 +21,25 @@ def even(colour: tuple[float, float, float]) -> Probes:
 
 
 def test_light_that_shows_white_as_white_is_left_alone() -> None:
-    assert exposure(even((KEY, KEY, KEY)), NO_SUN, EYE, AHEAD, Hour()) == pytest.approx((1.0, 1.0, 1.0))
+    assert exposure(even((KEY, KEY, KEY)), NO_SUN, EYE, AHEAD, RoomLight()) == pytest.approx((1.0, 1.0, 1.0))
 
 
 def test_a_darker_room_is_lifted_but_stays_darker() -> None:
-    gain = exposure(even((0.1, 0.1, 0.1)), NO_SUN, EYE, AHEAD, Hour())[0]
+    gain = exposure(even((0.1, 0.1, 0.1)), NO_SUN, EYE, AHEAD, RoomLight())[0]
     assert 0.3 < 0.1 * gain < KEY
 
 
 def test_a_colour_of_light_is_taken_half_away() -> None:
     warm = np.array([0.4, 0.2, 0.1])
-    shown = warm * exposure(even((0.4, 0.2, 0.1)), NO_SUN, EYE, AHEAD, Hour())
+    shown = warm * exposure(even((0.4, 0.2, 0.1)), NO_SUN, EYE, AHEAD, RoomLight())
     assert shown[0] / shown[2] == pytest.approx(2.0)  # of four
 
 
 def test_a_night_is_seen_as_dark() -> None:
-    day = exposure(even((0.5, 0.5, 0.5)), NO_SUN, EYE, AHEAD, Hour())[1]
-    night = exposure(even((0.5, 0.5, 0.5)), NO_SUN, EYE, AHEAD, Hour(daylight=(0.01, 0.01, 0.01)))[1] * 0.01
+    day = exposure(even((0.5, 0.5, 0.5)), NO_SUN, EYE, AHEAD, RoomLight())[1]
+    night = exposure(even((0.5, 0.5, 0.5)), NO_SUN, EYE, AHEAD, RoomLight(daylight=(0.01, 0.01, 0.01)))[1] * 0.01
     assert night < 0.1 * day
-    more = exposure(even((0.5, 0.5, 0.5)), NO_SUN, EYE, AHEAD, Hour(stops=1.0))[1]
+    more = exposure(even((0.5, 0.5, 0.5)), NO_SUN, EYE, AHEAD, RoomLight(stops=1.0))[1]
     assert more == pytest.approx(2.0 * day)
 
 

@@ -12,12 +12,12 @@ from skimage.metrics import structural_similarity
 from cloner.crowd.drawing.impostors import Tiles
 from cloner.crowd.drawing.player import player_page
 from cloner.crowd.drawing.texels import SAMPLES, downsample_tiles
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs.files import tile_files, tiles_from
-from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
-from cloner.crowd.packs.still import Painter, draw_pack
-from cloner.crowd.staged.eye import Eye
-from cloner.crowd.staged.scene import scene_of
+from cloner.crowd.packs.reading import read_casting, read_facts, read_stock
+from cloner.crowd.packs.still import ScenePainter, draw_pack
+from cloner.crowd.staged.eye import CrowdCamera
+from cloner.crowd.staged.scene import make_scene
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
 from kit.crowds import likeness, row, shot
@@ -30,13 +30,13 @@ HELD_BYTES = """["colours", "atlases", "shells", "codes"].map((name) => stage.te
 
 @pytest.fixture(scope="module")
 def theatre(pack: Path):
-    made = Theatre(read_stock(pack, read_facts(pack)))
+    made = CrowdRenderer(read_stock(pack, read_facts(pack)))
     yield made
     made.close()
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.3, np.pi / 4, 2.6, np.pi, 4.1, 5.9])
-def test_an_impostor_looks_like_the_geometry_it_stands_for(theatre: Theatre, heading: float) -> None:
+def test_an_impostor_looks_like_the_geometry_it_stands_for(theatre: CrowdRenderer, heading: float) -> None:
     """Eight views only, so up to 22 degrees off: depth and the second view must make up for it."""
     person = row(heading=heading)
     want, got = shot(theatre, person, 0), shot(theatre, person, None)
@@ -44,7 +44,7 @@ def test_an_impostor_looks_like_the_geometry_it_stands_for(theatre: Theatre, hea
     assert likeness(want, got) > 0.88
 
 
-def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: Theatre) -> None:
+def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: CrowdRenderer) -> None:
     plain, dyed = row(), row(dyes=(0xC81414, -1, -1, -1))
     for level in (0, None):
         before, after = shot(theatre, plain, level), shot(theatre, dyed, level)
@@ -57,7 +57,7 @@ def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: Theat
 
 
 @pytest.mark.parametrize("wearer", [0, 1])
-def test_lent_sleeves_end_alike_near_and_far(theatre: Theatre, wearer: int) -> None:
+def test_lent_sleeves_end_alike_near_and_far(theatre: CrowdRenderer, wearer: int) -> None:
     """Ada's shirt has short sleeves, ben's long ones: forearms change between skin and cloth, hands never do."""
     own, lent = row(clone=wearer), row(clone=wearer, top=1 - wearer)
     blueness = {}
@@ -71,7 +71,7 @@ def test_lent_sleeves_end_alike_near_and_far(theatre: Theatre, wearer: int) -> N
     assert (blueness[None] > 40).sum() < 2.0 * forearms.sum()
 
 
-def test_a_white_dye_is_white(theatre: Theatre) -> None:
+def test_a_white_dye_is_white(theatre: CrowdRenderer) -> None:
     """0xFFFFFF is the last whole number below 2^24: half more would turn red."""
     white = shot(theatre, row(dyes=(0xFFFFFF, -1, -1, -1)), 0)[44:50, 45:51].reshape(-1, 3).mean(axis=0)
     assert np.ptp(white) < 25
@@ -145,10 +145,10 @@ def test_textures_in_blocks_look_the_same_in_less_memory(pack: Path, tmp_path: P
 
 def test_geometry_alone_shows_nobody_as_an_impostor(pack: Path) -> None:
     facts = read_facts(pack)
-    made = scene_of("plaza", 60, casting_from(facts))
-    theatre = Theatre(read_stock(pack, facts))
-    eye = Eye(np.array([0.0, 9.0, 90.0]), np.zeros(3), (320, 180), 200.0)
-    painter = Painter(theatre, facts, made, (320, 180))
+    made = make_scene("plaza", 60, read_casting(facts))
+    theatre = CrowdRenderer(read_stock(pack, facts))
+    eye = CrowdCamera(np.array([0.0, 9.0, 90.0]), np.zeros(3), (320, 180), 200.0)
+    painter = ScenePainter(theatre, facts, made, (320, 180))
     count = {mode: [len(who) for who in painter._tiers(eye, 0.0, mode)] for mode in ("hybrid", "levels", "geometry")}
     theatre.close()
     assert count["hybrid"][-1] > 50
@@ -157,7 +157,7 @@ def test_geometry_alone_shows_nobody_as_an_impostor(pack: Path) -> None:
 
 
 def test_scene_rows_fit_the_shaders(pack: Path) -> None:
-    made = scene_of("plaza", 60, casting_from(read_facts(pack)))
+    made = make_scene("plaza", 60, read_casting(read_facts(pack)))
     assert made.rows.shape == (60, 5, 4)
     assert set(np.unique(made.rows[:, 1, 2])) <= {0.0, 1.0}
 

@@ -11,9 +11,9 @@ from cloner.crowd.clones.groups import (
     STEP,
     exchange_garment,
     grey_atlas,
-    looks_of,
-    marks_of,
+    group_looks,
     recolour,
+    shader_codes,
     texel_groups,
     triangle_groups,
 )
@@ -44,7 +44,7 @@ def test_the_sources_eight_groups_are_found_and_lie_where_they_belong() -> None:
 
 def test_the_own_outfit_times_grey_is_the_atlas() -> None:
     rgb, codes = worn()
-    looks = looks_of(rgb, codes)
+    looks = group_looks(rgb, codes)
     again = recolour(grey_atlas(rgb, codes, looks), {name: look.colour for name, look in looks.items()})
     inside = codes > 0
     away = deltaE_ciede2000(rgb2lab(again[inside]), rgb2lab(rgb[inside]))
@@ -53,7 +53,7 @@ def test_the_own_outfit_times_grey_is_the_atlas() -> None:
 
 def test_a_dye_leaves_every_other_texel_alone() -> None:
     rgb, codes = worn()
-    looks = looks_of(rgb, codes)
+    looks = group_looks(rgb, codes)
     grey, own = grey_atlas(rgb, codes, looks), {name: look.colour for name, look in looks.items()}
     before, after = recolour(grey, own), recolour(grey, own | {"top": (200.0, 20.0, 20.0)})
     changed = (before != after).any(axis=2)
@@ -77,7 +77,7 @@ def test_a_shorter_sleeve_shows_the_wearers_own_skin() -> None:
 
 def test_codes_go_on_beyond_the_charts_but_never_change_inside() -> None:
     _, codes = worn()
-    marks = marks_of(codes)
+    marks = shader_codes(codes)
     assert np.array_equal(marks[codes > 0] // STEP, codes[codes > 0] // STEP)
     assert (marks > 0).sum() > (codes > 0).sum()
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.crowd.packs.held import FILMED, FILMS, filmed, films_below
+from cloner.crowd.packs.held import FILMED, FILMS, film_tokens, find_films
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
 from cloner.project.results import RESULT_MARK, file_digest
@@ -32,13 +32,13 @@ def film(path: Path, told: str) -> Path:
 
 @pytest.mark.parametrize("suffix", FILMS)
 def test_a_film_tells_whose_photos_it_shows_and_still_opens(tmp_path: Path, suffix: str) -> None:
-    told = filmed(PEOPLE)
+    told = film_tokens(PEOPLE)
     path = film(tmp_path / f"show{suffix}", told)
-    film(tmp_path / f"other{suffix}", filmed(PEOPLE[1:]))
+    film(tmp_path / f"other{suffix}", film_tokens(PEOPLE[1:]))
     film(tmp_path / f"nobody{suffix}", "")
     assert "anna" not in told
-    assert list(films_below(tmp_path, {ANNA})) == [path]
-    assert len(list(films_below(tmp_path, {BORIS}))) == 2
+    assert list(find_films(tmp_path, {ANNA})) == [path]
+    assert len(list(find_films(tmp_path, {BORIS}))) == 2
     if suffix == ".mp4":
         opened = cv2.VideoCapture(str(path))
         assert sum(opened.read()[0] for _ in range(6)) == 4
@@ -56,8 +56,8 @@ def test_who_is_forgotten_goes_from_films_and_others_films_stay(tmp_path: Path) 
     (result / RESULT_MARK).write_text(json.dumps({"format": 3, "stamp": {"photos": photos}, "outputs": outputs}))
     out = tmp_path / "out"
     (out / "pictures").mkdir()
-    mine = [film(out / "show.mp4", filmed(PEOPLE)), film(out / "pictures" / "00001.png", filmed(PEOPLE))]
-    theirs = film(out / "boris.mp4", filmed(PEOPLE[1:]))
+    mine = [film(out / "show.mp4", film_tokens(PEOPLE)), film(out / "pictures" / "00001.png", film_tokens(PEOPLE))]
+    theirs = film(out / "boris.mp4", film_tokens(PEOPLE[1:]))
     other = out / "holiday.mp4"
     other.write_bytes(b"")
     assert forget(find_holding("anna", holdings(None, out)), None, out) == ()
@@ -69,4 +69,4 @@ def test_who_is_forgotten_goes_from_films_and_others_films_stay(tmp_path: Path) 
 def test_a_film_s_mark_alone_shows_nobody(tmp_path: Path) -> None:
     (tmp_path / "a.png").write_bytes(FILMED.encode() + b" zz")
     (tmp_path / "b.mp4").symlink_to(tmp_path / "a.png")
-    assert list(films_below(tmp_path, {ANNA})) == []
+    assert list(find_films(tmp_path, {ANNA})) == []

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.crowd.clones.levels import FLOWING, LOOSE, body_levels, budgets_in, shell_levels
+from cloner.crowd.clones.levels import FLOWING, LOOSE, body_levels, read_budgets, shell_levels
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from kit.clones import toy_clone
@@ -24,10 +24,10 @@ def test_the_sizes_are_those_that_were_planned() -> None:
 
 
 def test_a_pack_tells_which_levels_it_has() -> None:
-    assert budgets_in(list(FLOWING)) == FLOWING
+    assert read_budgets(list(FLOWING)) == FLOWING
     for told in ([4_000, 2_700, 1_000, 501], [10**9] * 4, None):
         with pytest.raises(ValueError, match="levels that no pack has"):
-            budgets_in(told)
+            read_budgets(told)
 
 
 def test_weights_and_texture_coordinates_are_the_generic_humans_own() -> None:

@@ -9,9 +9,9 @@ import numpy as np
 from cloner.crowd.clones.cast import make_crowd_clone
 from cloner.crowd.clones.groups import GROUPS, garment_masks
 from cloner.crowd.clones.levels import body_levels
-from cloner.crowd.clones.stock import HUNG_AT, no_sets, table_row
-from cloner.crowd.clones.zones import ENDS, REACHED, reach, zone_texels
-from cloner.crowd.staged.looks import MASK_PX, casting_of, lendable
+from cloner.crowd.clones.stock import HUNG_AT, sets_without_impostors, table_row
+from cloner.crowd.clones.zones import ENDS, REACHED, covered_zones, zone_texels
+from cloner.crowd.staged.looks import MASK_PX, exchangeable_garments, make_casting
 from cloner.records.heads import Shell
 from kit.clones import SHIRT, TROUSERS, toy_clone
 from kit.crowds import dressed_toy
@@ -28,15 +28,15 @@ def trousers(cut: int) -> dict[str, np.ndarray]:
 
 def test_shorts_and_trousers_are_exchanged_but_not_with_who_wears_neither() -> None:
     bare = {name: np.zeros((MASK_PX, MASK_PX), bool) for name in ("top", "bottom", "shoes")}
-    casting = casting_of([trousers(9), trousers(6), bare], {})
+    casting = make_casting([trousers(9), trousers(6), bare], {})
     assert casting.wardrobe["bottom"] == [[1], [0], []]
     assert casting.wardrobe["top"] == [[], [], []]
 
 
 def test_reach_tells_the_zones_that_are_covered() -> None:
-    assert reach(trousers(9))["bottom"] == [1.0, 1.0, 1.0, 1.0]
-    assert reach(trousers(7))["bottom"] == [1.0, 1.0, 0.0, 0.0]
-    assert reach(trousers(7))["top"] == [0.0] * len(REACHED["top"])
+    assert covered_zones(trousers(9))["bottom"] == [1.0, 1.0, 1.0, 1.0]
+    assert covered_zones(trousers(7))["bottom"] == [1.0, 1.0, 0.0, 0.0]
+    assert covered_zones(trousers(7))["top"] == [0.0] * len(REACHED["top"])
 
 
 def test_every_limb_has_its_zones() -> None:
@@ -55,9 +55,9 @@ def test_a_skirt_that_hangs_loose_is_not_lent_and_a_coats_is_dyed_with_the_coat(
     hung, wrapped = (make_crowd_clone("ada", replace(clone, shells=(one,)), body, poses=4) for one in (skirt, coat))
     assert wrapped.hung == "top"
     for cast in (hung, wrapped):
-        row = table_row(cast, no_sets(cast), 33.0, 22, 0)
+        row = table_row(cast, sets_without_impostors(cast), 33.0, 22, 0)
         assert GROUPS[int(row[HUNG_AT, 0]) - 1] == cast.hung
     assert (plain.hung, hung.hung) == ("", "bottom")
-    assert lendable(plain)["bottom"].sum() == garment_masks(plain.codes[::4, ::4])["bottom"].sum() > 0
-    assert lendable(hung)["bottom"].sum() == 0
-    assert lendable(hung)["top"].sum() > 0
+    assert exchangeable_garments(plain)["bottom"].sum() == garment_masks(plain.codes[::4, ::4])["bottom"].sum() > 0
+    assert exchangeable_garments(hung)["bottom"].sum() == 0
+    assert exchangeable_garments(hung)["top"].sum() > 0

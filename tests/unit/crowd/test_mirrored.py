@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_stock
 from cloner.exporters.shared.regions import texel_triangles
@@ -29,7 +29,7 @@ def mirrored(tmp_path_factory: pytest.TempPathFactory):
     striped = np.where(left[texel_triangles(len(rgb))][..., None], np.uint8(200), rgb)
     saved(out / "results" / "striped", replace(plain, atlas=replace(plain.atlas, rgb=striped)))
     facts = make_pack([out / "results"], out / "pack", replace(WANTED, vat=False, mirror=True, views=16))
-    made = Theatre(read_stock(out / "pack", facts))
+    made = CrowdRenderer(read_stock(out / "pack", facts))
     yield facts, made
     made.close()
 

@@ -16,14 +16,14 @@ import numpy as np
 import pygltflib
 import pytest
 
-from cloner.crowd.clones.clips import resampled, walked
+from cloner.crowd.clones.clips import resample_motion, sample_walk
 from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.vat import LEVEL
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.files import pack_folder
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_facts
-from cloner.crowd.packs.wanted import rings_of
+from cloner.crowd.packs.wanted import parse_rings
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
@@ -105,7 +105,7 @@ def test_vertex_animation_decodes_to_the_skinned_walk(pack: Path, results: Path)
     assert image.shape[0] == 2 * frames
     clip = remap["animations"]["walk"]
     clone = centre_joints(load_clone(results / "ada" / CLONE_FILE))
-    motion = walked(body_of(clone), REGULAR)
+    motion = sample_walk(body_of(clone), REGULAR)
     generic, body = load_generic(), body_levels()
     count = body.counts[LEVEL]
     row = clip["startFrame"] + 12  # a quarter of a second
@@ -128,13 +128,13 @@ def test_vertex_animation_decodes_to_the_skinned_walk(pack: Path, results: Path)
 def test_standing_feet_slide_by_millimetres_between_the_frames_that_are_shown(results: Path, style: Style) -> None:
     """Strictly, at the crowd's own 48 frames a cycle: planted between others they slid by 17 mm."""
     body = body_of(centre_joints(load_clone(results / "ada" / CLONE_FILE)))
-    motion, dense = walked(body, style), walk(body, style)
+    motion, dense = sample_walk(body, style), walk(body, style)
     assert motion.speed_m_s > 0.8
     slid = step_slides_m(body, replace(motion, times_s=np.arange(49) / RULER_HZ,
                                        speed_m_s=motion.speed_m_s * motion.times_s[-1] * RULER_HZ / 48))  # fmt: skip
     assert len(slid) == 2
     assert slid.max() < 0.005
-    moved = body.places(motion)[::4] - body.places(resampled(dense, 12))
+    moved = body.places(motion)[::4] - body.places(resample_motion(dense, 12))
     assert np.abs(moved).max() < 0.06, "the same walk, but that feet rise a frame longer before they swing"
 
 
@@ -200,7 +200,7 @@ def test_bad_words_end_in_one_sentence(results: Path, tmp_path: Path) -> None:
         with pytest.raises(ClonerError):
             make_pack([results], tmp_path / "out", replace(WANTED, **wrong))
     with pytest.raises(ClonerError):
-        rings_of("5,high")
+        parse_rings("5,high")
     looks = tmp_path / "looks.toml"
     for text in ('[palette]\nskin = ["#112233"]', "own_share = 3", '[palette]\ntop = ["red"]', "x = 1", "= ="):
         looks.write_text(text)

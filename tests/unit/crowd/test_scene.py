@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.crowd.packs.check import closest_same
+from cloner.crowd.packs.check import closest_repeat_m
 from cloner.crowd.staged.looks import PALETTES
-from cloner.crowd.staged.scene import SCENES, Casting, facts, looks_shown, places, scene_of
+from cloner.crowd.staged.scene import SCENES, Casting, facts, looks_shown, make_scene, places_at
 
 CLONES = 20
 CASTING = Casting(
@@ -25,15 +25,15 @@ CASTING = Casting(
 
 @pytest.mark.parametrize("name", SCENES)
 def test_looks_differ_and_a_clone_never_meets_itself(name: str) -> None:
-    made = scene_of(name, 1000, CASTING)
+    made = make_scene(name, 1000, CASTING)
     assert len(made.rows) == 1000
     assert looks_shown(made) >= 200
-    assert min(closest_same(made, now) for now in (0.0, 2.3, 9.7, 31.0)) >= 2.0
+    assert min(closest_repeat_m(made, now) for now in (0.0, 2.3, 9.7, 31.0)) >= 2.0
 
 
 def test_people_in_a_lane_walk_at_their_speed() -> None:
-    made = scene_of("walk", 300, CASTING)
-    before, after = places(made, 5.0), places(made, 5.5)
+    made = make_scene("walk", 300, CASTING)
+    before, after = places_at(made, 5.0), places_at(made, 5.5)
     moved = np.abs(after - before)[:, 2]
     stayed = moved < made.lane_m / 2.0  # not those who begin their lane again
     assert np.allclose(moved[stayed], made.rows[stayed, 1, 0] * 0.5, atol=1e-6)
@@ -49,6 +49,6 @@ def test_the_page_places_everybody_as_the_painter_does(name: str, tmp_path: Path
         "console.log(JSON.stringify({ rows: Array.from(made.rows), lane: made.lane }));"
     )
     told = json.loads(subprocess.run(["node", run], capture_output=True, text=True, check=True).stdout)
-    made = scene_of(name, 700, CASTING)
+    made = make_scene(name, 700, CASTING)
     assert told["lane"] == made.lane_m
     assert np.array_equal(np.array(told["rows"], np.float32), made.rows.ravel())

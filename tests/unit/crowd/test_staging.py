@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.crowd.packs.told import _STAGING, _unfit, _unstaged
+from cloner.crowd.packs.told import _STAGING, _first_invalid, _unknown_staged
 from cloner.crowd.staged.footing import GONE, Acted
-from cloner.crowd.staged.staging import HEAD_MIDDLE, HEADLESS, PART, PLAIN, STONE, UP, Staging, eased, finished
+from cloner.crowd.staged.staging import HEAD_MIDDLE, HEADLESS, PART, PLAIN, STONE, UP, Staging, add_caption, eased_value
 
 STATURE_M = 1.7
 
@@ -24,11 +24,11 @@ def standing(count: int) -> Acted:
 
 def test_keys_are_held_and_eased() -> None:
     keys = [[1.0, 0.0, 5.0], [3.0, 8.0, 5.0]]
-    assert eased(keys, 0.0).tolist() == [0.0, 5.0]
-    assert eased(keys, 2.0).tolist() == [4.0, 5.0]
-    assert eased(keys, 1.5)[0] == pytest.approx(8.0 * (3 * 0.25**2 - 2 * 0.25**3))
-    assert eased(keys, 9.0).tolist() == [8.0, 5.0]
-    assert eased([[2.0, 0.0], [2.0, 1.0]], 2.0).tolist() == [1.0], "a change in no time"
+    assert eased_value(keys, 0.0).tolist() == [0.0, 5.0]
+    assert eased_value(keys, 2.0).tolist() == [4.0, 5.0]
+    assert eased_value(keys, 1.5)[0] == pytest.approx(8.0 * (3 * 0.25**2 - 2 * 0.25**3))
+    assert eased_value(keys, 9.0).tolist() == [8.0, 5.0]
+    assert eased_value([[2.0, 0.0], [2.0, 1.0]], 2.0).tolist() == [1.0], "a change in no time"
 
 
 def test_a_statue_does_not_breathe_until_it_wakes() -> None:
@@ -71,9 +71,9 @@ def test_cameras_cut_move_and_follow() -> None:
 
 def test_captions_and_curtains_are_drawn() -> None:
     grey = np.full((180, 320, 3), 90, np.uint8)
-    assert (finished(grey, "", 1.0) == grey).all()
-    assert (finished(grey, "", 0.5) == 45).all()
-    written = finished(grey, "Who am I?", 1.0)
+    assert (add_caption(grey, "", 1.0) == grey).all()
+    assert (add_caption(grey, "", 0.5) == 45).all()
+    written = add_caption(grey, "Who am I?", 1.0)
     assert (written[:120] == grey[:120]).all()
     assert written.max() > 220
     told = {**PLAIN, "captions": [[1.0, 3.0, "so"]]}
@@ -89,10 +89,10 @@ def test_captions_and_curtains_are_drawn() -> None:
     ],
 )  # fmt: skip
 def test_what_a_hostile_pack_stages_is_refused(key: str, value: object) -> None:
-    assert _unfit({"staging": dict(PLAIN)}, _STAGING, "") == ""
-    assert _unfit({"staging": {**PLAIN, key: value}}, _STAGING, "").startswith(f"staging.{key}")
+    assert _first_invalid({"staging": dict(PLAIN)}, _STAGING, "") == ""
+    assert _first_invalid({"staging": {**PLAIN, key: value}}, _STAGING, "").startswith(f"staging.{key}")
 
 
 def test_nobody_is_staged_who_is_not_there() -> None:
-    assert _unstaged({**PLAIN, "wakes": [[1, 3.0]]}, 2) == ""
-    assert _unstaged({**PLAIN, "wakes": [[2, 3.0]]}, 2) == "staging"
+    assert _unknown_staged({**PLAIN, "wakes": [[1, 3.0]]}, 2) == ""
+    assert _unknown_staged({**PLAIN, "wakes": [[2, 3.0]]}, 2) == "staging"

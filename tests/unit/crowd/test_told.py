@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from cloner.crowd.packs.files import picture, unpacked
+from cloner.crowd.packs.files import decode_webp, unpack_arrays
 from cloner.crowd.packs.reading import read_facts
 from cloner.crowd.packs.told import find_invalid
 from cloner.errors import ClonerError
@@ -82,16 +82,16 @@ def test_files_lie_inside_the_pack() -> None:
 def test_no_bomb_is_unpacked() -> None:
     bomb = zlib.compress(bytes(50_000_000), 9)
     row = {"at": 0, "type": "uint16", "shape": [4]}
-    assert unpacked(bomb, {"corners": row})["corners"].tolist() == [0, 0, 0, 0]
+    assert unpack_arrays(bomb, {"corners": row})["corners"].tolist() == [0, 0, 0, 0]
     with pytest.raises(ValueError, match="more numbers"):
-        unpacked(bomb, {"corners": {**row, "shape": [1 << 28]}})
+        unpack_arrays(bomb, {"corners": {**row, "shape": [1 << 28]}})
     with pytest.raises(ValueError, match="buffer"):  # fewer bytes than told
-        unpacked(zlib.compress(b"1234"), {"corners": {**row, "shape": [4000]}})
+        unpack_arrays(zlib.compress(b"1234"), {"corners": {**row, "shape": [4000]}})
 
 
 def test_a_picture_larger_than_a_page_is_refused() -> None:
     with pytest.raises(ValueError, match="larger than any page"):
-        picture(webp_head(16383, 16383))
+        decode_webp(webp_head(16383, 16383))
 
 
 def webp_head(width: int, height: int) -> bytes:

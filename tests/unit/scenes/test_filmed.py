@@ -14,13 +14,13 @@ from PIL import Image
 from scipy.io import wavfile
 
 from cloner.crowd.clones.levels import body_levels
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
-from cloner.crowd.packs.still import Painter
-from cloner.crowd.staged.footing import FROM, LAST, X, Z, felt_at
-from cloner.crowd.staged.staging import staging_of
+from cloner.crowd.packs.still import ScenePainter
+from cloner.crowd.staged.footing import FROM, LAST, X, Z, feelings_at
+from cloner.crowd.staged.staging import read_staging
 from cloner.errors import Cancelled, ClonerError
 from cloner.scenes.filmed import film_file
 from cloner.scenes.films.steps import footsteps
@@ -70,9 +70,9 @@ def filmed(cast: Path, lines: Path, lit_folder: Path, tmp_path_factory: pytest.T
     return folder / "pictures", folder / "staged"
 
 
-def painter_of(pack: Path, theatre: Theatre) -> Painter:
+def painter_of(pack: Path, theatre: CrowdRenderer) -> ScenePainter:
     facts = read_facts(pack)
-    return Painter(theatre, facts, read_acted(pack, facts), SIZE, read_room(pack, facts), staging_of(facts))
+    return ScenePainter(theatre, facts, read_acted(pack, facts), SIZE, read_room(pack, facts), read_staging(facts))
 
 
 def test_the_same_lines_make_the_same_pictures(filmed: tuple[Path, Path], lines, cast, lit_folder, tmp_path) -> None:
@@ -85,7 +85,7 @@ def test_the_same_lines_make_the_same_pictures(filmed: tuple[Path, Path], lines,
 
 def test_steps_are_heard_when_feet_come_down_from_where_they_are_and_not_of_stone(filmed: tuple[Path, Path]) -> None:
     facts = read_facts(filmed[1])
-    acted, staging = read_acted(filmed[1], facts), staging_of(facts)
+    acted, staging = read_acted(filmed[1], facts), read_staging(facts)
     assert staging is not None
     found = footsteps(acted, staging, 4.0)
     assert len(found) >= 4
@@ -105,7 +105,7 @@ def test_steps_are_heard_when_feet_come_down_from_where_they_are_and_not_of_ston
 
 def test_stone_is_grey_and_comes_alive_in_its_own_colours(filmed: tuple[Path, Path]) -> None:
     facts = read_facts(filmed[1])
-    theatre = Theatre(read_stock(filmed[1], facts))
+    theatre = CrowdRenderer(read_stock(filmed[1], facts))
     view = ((5.3, 1.3, -1.2), (5.5, 1.0, -3.0))
     try:
         painter = painter_of(filmed[1], theatre)
@@ -122,8 +122,8 @@ def test_stone_is_grey_and_comes_alive_in_its_own_colours(filmed: tuple[Path, Pa
 
 def test_a_head_lies_on_the_ground_and_is_put_back(filmed: tuple[Path, Path]) -> None:
     facts = read_facts(filmed[1])
-    staging, acted = staging_of(facts), read_acted(filmed[1], facts)
-    theatre = Theatre(read_stock(filmed[1], facts))
+    staging, acted = read_staging(facts), read_acted(filmed[1], facts)
+    theatre = CrowdRenderer(read_stock(filmed[1], facts))
     view = ((3.6, 1.6, -0.6), (3.6, 1.3, -3.2))
     try:
         painter = painter_of(filmed[1], theatre)
@@ -229,7 +229,7 @@ def test_statues_of_a_scenario_are_clones_in_stone_that_awake(cast: Path, tmp_pa
     light_folder(tmp_path / "room")
     build_folder(tmp_path / "room", tmp_path / "hall.crowd", cast, tmp_path / "built", seconds=8.0, seed=1)
     facts = read_facts(tmp_path / "built")
-    room, staging = read_room(tmp_path / "built", facts), staging_of(facts)
+    room, staging = read_room(tmp_path / "built", facts), read_staging(facts)
     assert room is not None
     assert staging is not None
     assert room.corners[:, 1].max() < 0.1, "the block is not drawn"
@@ -274,10 +274,10 @@ def test_a_mouth_opens_while_somebody_speaks(talked: tuple[Path, Path]) -> None:
 
 def test_who_is_happy_smiles(talked: tuple[Path, Path]) -> None:
     facts = read_facts(talked[1])
-    felt = felt_at(read_acted(talked[1], facts), 2.3)
+    felt = feelings_at(read_acted(talked[1], facts), 2.3)
     names = [clip["name"] for clip in facts["people"][0]["clips"]]
     assert [names[int(clip)] for clip, _ in felt] == ["walk_happy", "walk"]
-    theatre = Theatre(read_stock(talked[1], facts))
+    theatre = CrowdRenderer(read_stock(talked[1], facts))
     view, shown = ((4.0, 1.6, -2.2), (4.0, 1.58, -3.0)), []
     try:
         painter = painter_of(talked[1], theatre)

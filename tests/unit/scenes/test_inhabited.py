@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 from cloner.acting.written import bake_file
-from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.theatre import CrowdRenderer
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
-from cloner.crowd.packs.still import Painter
+from cloner.crowd.packs.still import ScenePainter
 from cloner.crowd.packs.told import find_invalid
-from cloner.crowd.staged.eye import Eye
-from cloner.crowd.staged.footing import rows_at
-from cloner.crowd.staged.rooms import glow_of
+from cloner.crowd.staged.eye import CrowdCamera
+from cloner.crowd.staged.footing import people_at
+from cloner.crowd.staged.rooms import people_light
 from cloner.errors import ClonerError
 from cloner.scenes.inhabited import build_folder
 from cloner.scenes.written import read_built_room, read_room_sound, sound_folder
@@ -37,10 +37,10 @@ def built(lit_folder: Path, scenario: Path, lively: Path, tmp_path_factory: pyte
 
 def drawn(pack: Path, view=EYE, lit: bool = True) -> np.ndarray:
     facts = read_facts(pack)
-    theatre = Theatre(read_stock(pack, facts))
+    theatre = CrowdRenderer(read_stock(pack, facts))
     try:
         room = read_room(pack, facts) if lit else None
-        return Painter(theatre, facts, read_acted(pack, facts), SIZE, room).picture(view, 1.0).astype(float)
+        return ScenePainter(theatre, facts, read_acted(pack, facts), SIZE, room).picture(view, 1.0).astype(float)
     finally:
         theatre.close()
 
@@ -56,9 +56,9 @@ def test_the_pack_is_whole_and_no_block_stands_in_the_room(built: Path) -> None:
 
 def test_who_stands_by_the_window_is_lighter_than_who_stands_in_the_corner(built: Path) -> None:
     facts = read_facts(built)
-    room, rows = read_room(built, facts), rows_at(read_acted(built, facts), 1.0)
+    room, rows = read_room(built, facts), people_at(read_acted(built, facts), 1.0)
     assert room is not None
-    level = glow_of(room.probes, rows)[:, :3, 0].mean(axis=1)
+    level = people_light(room.probes, rows)[:, :3, 0].mean(axis=1)
     bright = rows[:, 0, 1] > 4.0
     assert bright.sum() == 2
     assert level[bright].min() > 1.3 * level[~bright].max()
@@ -66,18 +66,20 @@ def test_who_stands_by_the_window_is_lighter_than_who_stands_in_the_corner(built
 
 def test_clones_are_drawn_by_the_rooms_light_and_stand_on_a_shadow(built: Path) -> None:
     facts = read_facts(built)
-    theatre = Theatre(read_stock(built, facts))
+    theatre = CrowdRenderer(read_stock(built, facts))
     room, acted = read_room(built, facts), read_acted(built, facts)
-    rows = rows_at(acted, 1.0)
+    rows = people_at(acted, 1.0)
     who = int(np.flatnonzero(rows[:, 0, 1] < 3.0)[0])
     x, z = rows[who, 0, 1], rows[who, 0, 2]
     try:
-        painter = Painter(theatre, facts, acted, SIZE, room)
+        painter = ScenePainter(theatre, facts, acted, SIZE, room)
         own = painter.picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
-        empty = Painter(theatre, facts, acted, SIZE, room)
+        empty = ScenePainter(theatre, facts, acted, SIZE, room)
         empty._tiers = lambda *_: [np.zeros(0, np.int64)] * 5  # nobody
         bare = empty.picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
-        plain = Painter(theatre, facts, acted, SIZE).picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
+        plain = (
+            ScenePainter(theatre, facts, acted, SIZE).picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
+        )
     finally:
         theatre.close()
     body = (slice(120, 200), slice(225, 255))
@@ -90,21 +92,21 @@ def test_clones_are_drawn_by_the_rooms_light_and_stand_on_a_shadow(built: Path) 
 
 def test_who_stands_in_the_sun_takes_it_from_the_floor_behind(built: Path) -> None:
     facts = read_facts(built)
-    theatre = Theatre(read_stock(built, facts))
+    theatre = CrowdRenderer(read_stock(built, facts))
     room, acted = read_room(built, facts), read_acted(built, facts)
     assert room is not None
-    rows = rows_at(acted, 1.0)
+    rows = people_at(acted, 1.0)
     who = int(np.argmax(rows[:, 0, 1]))  # farthest into the sun: it comes from the right, 40 degrees high
     x, z = (float(one) for one in rows[who, 0, 1:3])
     view = ((x - 1.2, 2.4, z + 0.01), (x - 0.45, 0.0, z))
     try:
-        own = Painter(theatre, facts, acted, SIZE, room).picture(view, 1.0).astype(float)
-        empty = Painter(theatre, facts, acted, SIZE, room)
+        own = ScenePainter(theatre, facts, acted, SIZE, room).picture(view, 1.0).astype(float)
+        empty = ScenePainter(theatre, facts, acted, SIZE, room)
         empty._tiers = lambda *_: [np.zeros(0, np.int64)] * 5  # nobody
         bare = empty.picture(view, 1.0).astype(float)
     finally:
         theatre.close()
-    eye = Eye(np.array(view[0]), np.array(view[1]), SIZE, SIZE[1] / 2.0 / np.tan(np.radians(22.5)))
+    eye = CrowdCamera(np.array(view[0]), np.array(view[1]), SIZE, SIZE[1] / 2.0 / np.tan(np.radians(22.5)))
     shade = np.array([x - 0.4 / np.tan(np.radians(40.0)), 0.0, z])  # of somebody's shins
     clip = eye.clip_from_world() @ np.append(shade, 1.0)
     column, row = (clip[:2] / clip[3] * (0.5, -0.5) + 0.5) * SIZE

@@ -15,7 +15,7 @@ import pytest
 from cloner.behaviour.language import parse_scenario
 from cloner.behaviour.loop import guide
 from cloner.crowd.packs.reading import read_acted, read_facts
-from cloner.crowd.staged.footing import COLUMNS, FROM, GONE, UNTIL, Acted, rows_at
+from cloner.crowd.staged.footing import COLUMNS, FROM, GONE, UNTIL, Acted, people_at
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
@@ -84,7 +84,7 @@ def test_who_walks_along_in_a_page_is_there_on_feet_and_gone_when_the_page_falls
     assert scene.walks("three", (4.0, -4.0, 0.0)) >= 3, "both are free again"
     acted = read_acted(built, read_facts(built))
     alone = Acted(way, np.array([0, len(way)], np.uint32), acted.people[3:4].copy(), acted.touches, acted.clips)
-    shown_at = {t: rows_at(alone, come + t)[0, 0] for t in (-0.3, 0.5, 6.0, 14.0)}
+    shown_at = {t: people_at(alone, come + t)[0, 0] for t in (-0.3, 0.5, 6.0, 14.0)}
     assert shown_at[-0.3][0] == shown_at[14.0][0] == GONE
     assert shown_at[0.5][1:3] == pytest.approx((4.0, -4.0), abs=0.3)
     assert shown_at[6.0][1:3] == pytest.approx((4.0, -2.0), abs=0.5), "it has walked"
@@ -145,10 +145,10 @@ def test_a_newcomer_walks_on_with_its_own_feet_where_another_walked(built: Path)
         rows = acted.people[who : who + 1].copy()
         rows[0, 1, 2:4] = clone, 1.0
         alone = Acted(way, np.array([0, len(way)], np.uint32), rows, acted.touches, acted.clips)
-        return np.array([rows_at(alone, t)[0, 0, 1:3] for t in times])
+        return np.array([people_at(alone, t)[0, 0, 1:3] for t in times])
 
     mine, theirs = places(other, np.arange(at, 24.0, 0.02)), np.arange(at, 24.0, 0.02)
-    baked = np.array([rows_at(acted, t)[who, 0, 1:3] for t in theirs[::10]])
+    baked = np.array([people_at(acted, t)[who, 0, 1:3] for t in theirs[::10]])
     steps = np.linalg.norm(np.diff(mine, axis=0), axis=1)
     assert steps.max() < 0.06, "nobody jumps"
     assert steps.sum() > 5.0

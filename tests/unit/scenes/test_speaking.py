@@ -12,7 +12,7 @@ from scipy.io import wavfile
 
 from cloner.crowd.clones.faces import TARGETS
 from cloner.crowd.staged.faces import MOST_AT_ONCE, SpeechTrack, Utterance
-from cloner.crowd.staged.footing import COLUMNS, FEELS, FROM, LAST, UNTIL, Acted, felt_at
+from cloner.crowd.staged.footing import COLUMNS, FEELS, FROM, LAST, UNTIL, Acted, feelings_at
 from cloner.errors import ClonerError
 from cloner.scenes.films.hearing import RATE_HZ, Source, mix_stereo
 from cloner.scenes.films.sequence import parse_sequence
@@ -121,7 +121,7 @@ def test_a_face_goes_over_from_one_feeling_to_another() -> None:
         footings, np.array([0, 2], np.uint32), np.zeros((1, 5, 4), np.float32),
         np.zeros((1, 6, 48, 6), np.float32), np.ones((1, 6, 2), np.float32),
     )  # fmt: skip
-    found = {now: felt_at(acted, now)[0].tolist() for now in (0.1, 1.9, 2.0, 2.15, 2.29, 2.31, 2.45, 2.6, 3.9)}
+    found = {now: feelings_at(acted, now)[0].tolist() for now in (0.1, 1.9, 2.0, 2.15, 2.29, 2.31, 2.45, 2.6, 3.9)}
     assert [clip for clip, _ in found.values()] == [3, 3, 3, 3, 3, 5, 5, 5, 5]
     shares = [share for _, share in found.values()]
     assert shares == pytest.approx([1.0, 1.0, 1.0, 0.5, 0.1 / 3.0, 0.1 / 3.0, 0.5, 1.0, 1.0], abs=1e-5)
