@@ -168,10 +168,10 @@ def _inverse(rigid: Array) -> Array:
     return np.concatenate([turn, -turn @ rigid[..., 3:]], axis=-1)
 
 
-def _composed(first: Array, then: Array) -> Array:
-    """Return the composition of rigid (..., 3, 4) transforms: ``first``, then ``then``."""
-    shift = first[..., :3] @ then[..., 3:] + first[..., 3:]
-    return np.concatenate([first[..., :3] @ then[..., :3], shift], axis=-1)
+def _composed(outer: Array, inner: Array) -> Array:
+    """Return the composition of rigid (..., 3, 4) transforms: ``inner`` is applied first."""
+    shift = outer[..., :3] @ inner[..., 3:] + outer[..., 3:]
+    return np.concatenate([outer[..., :3] @ inner[..., :3], shift], axis=-1)
 
 
 def _interpolated(cycle: Array, at: Array) -> Array:

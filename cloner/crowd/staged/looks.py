@@ -67,7 +67,7 @@ def make_casting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping
     masks : sequence of mapping of garment to (S, S) bool
         Which texels each clone's garments cover.
     told : mapping
-        Of :func:`read_checks`.
+        Of :func:`read_looks`.
 
     Raises
     ------
