@@ -70,12 +70,12 @@ class BatchOptions:
     timeout_s: float = 0.0
 
 
-Told = Callable[[BatchRow, int, int], None]
+RowReport = Callable[[BatchRow, int, int], None]
 """Called with a row, how many are done and how many there are; may raise Cancelled."""
 
 
 def batch_folder(
-    root: Path, out: Path, options: BatchOptions | None = None, *, told: Told = lambda row, done, of: None
+    root: Path, out: Path, options: BatchOptions | None = None, *, report: RowReport = lambda row, done, of: None
 ) -> tuple[BatchRow, ...]:
     """Clone every visitor of a root or manifest and return one row each, in the order of their names.
 
@@ -98,7 +98,7 @@ def batch_folder(
         with contextlib.closing(_rows(visitors, out.resolve(), options)) as made:
             for row in made:
                 rows.append(row)
-                told(row, len(rows), len(visitors))
+                report(row, len(rows), len(visitors))
     finally:
         if out.is_dir():
             recover(out)  # what a worker that was killed here left
@@ -159,9 +159,9 @@ def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRo
 
 def _clone(visitor: Visitor, out: Path, options: BatchOptions, start: float) -> BatchRow:
     identifier = visitor.identifier
-    told = stamp_options(visitor.height_cm, options.formats, options.seed, options.texture_size)
+    stamp = stamp_options(visitor.height_cm, options.formats, options.seed, options.texture_size)
     if not options.again:
-        reason = why_not_current(out / identifier, input_stamp(visitor.photos, told))
+        reason = why_not_current(out / identifier, input_stamp(visitor.photos, stamp))
         if not reason:
             return BatchRow(identifier, SKIPPED, 0.0, 0, "its result is current; --again clones once more")
         log.info("%s: %s", identifier, reason)

@@ -58,9 +58,9 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
         if view == TURNTABLE:
             write_film(turntable(clone, width, height), TURN_FRAMES / TURN_SECONDS, temporary)
         else:
-            told = PngInfo()
-            told.add_text("Software", clone.stamp)  # as every other output: what made it, and of which photos
-            Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG", pnginfo=told)
+            text = PngInfo()
+            text.add_text("Software", clone.stamp)  # as every other output: what made it, and of which photos
+            Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG", pnginfo=text)
 
 
 def load_clone_at(path: Path) -> Clone:

@@ -186,13 +186,13 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
 
 def _merged(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
     """Return all parts as one; a repeated part is an error."""
-    told: dict[str, Any] = {}
+    data: dict[str, Any] = {}
     for part in parts:
         for key, value in part.items():
-            if key in told:
+            if key in data:
                 raise scenario_error(f"{name} is told its {key.replace('_', ' ')} twice", "Keep one of both", name)
-            told[key] = value
-    return told
+            data[key] = value
+    return data
 
 
 def _group(name: str, people: int, parts: Sequence[dict[str, Any]], *, alone: bool) -> Group:
@@ -234,11 +234,11 @@ def _explain(error: UnexpectedInput, text: str, where: str) -> ClonerError:
     else:
         found, expected = "the end of the text", error.expected if isinstance(error, UnexpectedEOF) else set()
     names = sorted({_operator_name(one) for one in expected})
-    told = ", ".join(names[:_MOST_EXPECTED]) + (", ..." if len(names) > _MOST_EXPECTED else "")
+    expectation = ", ".join(names[:_MOST_EXPECTED]) + (", ..." if len(names) > _MOST_EXPECTED else "")
     at_end = error.line is None or error.line < 1
     line = text.count("\n") + 1 if at_end else error.line
     column = len(text) - text.rfind("\n") if at_end else error.column
-    return ClonerError(f"{found} does not fit", f"Expected: {told}", f"{where}, line {line}, column {column}")
+    return ClonerError(f"{found} does not fit", f"Expected: {expectation}", f"{where}, line {line}, column {column}")
 
 
 def _operator_name(terminal: str) -> str:
@@ -257,13 +257,13 @@ def parse_scenario(text: str, where: str = "scenario") -> Scenario:
     ClonerError
         If a word does not fit, or a name is unknown: with line and column.
     """
-    told: dict[str, list[Any]] = {}
+    data: dict[str, list[Any]] = {}
     for kind, record in _parsed(text if text.endswith("\n") else text + "\n", "start", where):
-        told.setdefault(kind, []).append(record)
-    own = {one.name: one for one in told.get("emotions", ())}
+        data.setdefault(kind, []).append(record)
+    own = {one.name: one for one in data.get("emotions", ())}
     emotions = tuple(own.pop(one.name, one) for one in EMOTIONS) + tuple(own.values())
-    parts = {kind: tuple(told.get(kind, ())) for kind in ("floors", "obstacles", "points", "things", "groups", "rules")}
-    return check_scenario(Scenario(emotions=emotions, scene=(told.get("scene") or [""])[0], **parts), where)
+    parts = {kind: tuple(data.get(kind, ())) for kind in ("floors", "obstacles", "points", "things", "groups", "rules")}
+    return check_scenario(Scenario(emotions=emotions, scene=(data.get("scene") or [""])[0], **parts), where)
 
 
 def read_scenario(path: Path) -> Scenario:

@@ -162,7 +162,7 @@ def unpack(data: bytes) -> Trajectories:
         things_at = tuple(map(_place, head.get("things_at", ())))
         if any(len(one) < 3 for one in obstacles) or sum(map(len, obstacles)) + len(things_at) > MOST_CORNERS:
             raise ValueError("no obstacles")
-        told = tuple((float(when), str(what)) for when, what in head["told"])
+        messages = tuple((float(when), str(what)) for when, what in head["told"])
         seed = int(head["seed"])
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
         raise ValueError("its head cannot be read") from error
@@ -190,12 +190,12 @@ def unpack(data: bytes) -> Trajectories:
     if rows[1].max() >= len(acts) or rows[2].max() >= min(len(emotions), len(walks)):
         raise ValueError("it tells of acts or emotions that it does not name")
     return Trajectories(
-        np.asarray(place), facing, rows[4] != 0, rows[1], rows[2], gaze, groups, acts, emotions, things, told, seed,
+        np.asarray(place), facing, rows[4] != 0, rows[1], rows[2], gaze, groups, acts, emotions, things, messages, seed,
         walks, obstacles, things_at,
     )  # fmt: skip
 
 
-def _place(told: Any) -> XY:
+def _place(data: Any) -> XY:
     """Return a place of the plan.
 
     Raises
@@ -203,7 +203,7 @@ def _place(told: Any) -> XY:
     ValueError
         If it is none.
     """
-    x, y = (float(one) for one in told)
+    x, y = (float(one) for one in data)
     if not (abs(x) < FARTHEST_M and abs(y) < FARTHEST_M):
         raise ValueError("no place")
     return x, y

@@ -102,11 +102,11 @@ def run_file(
 
 
 def guide_file(
-    path: Path, out: Path, *, seconds: float, seed: int = 0, port: int = 0, told: Callable[[str], None],
+    path: Path, out: Path, *, seconds: float, seed: int = 0, port: int = 0, report: Callable[[str], None],
 ) -> list[str]:  # fmt: skip
     """Run a scenario in real time while other programs guide it, and write trajectories; return a report.
 
-    ``told`` gets the address and the token before the first step.
+    ``report`` gets the address and the token before the first step.
 
     Raises
     ------
@@ -117,8 +117,8 @@ def guide_file(
     desk, recorder = RequestQueue(), Recorder()
     recorder.record(world)
     with serve_guides(desk, port) as found:
-        told(f"ws://{HOST}:{found}")
-        told(f"token {desk.token}")
+        report(f"ws://{HOST}:{found}")
+        report(f"token {desk.token}")
         for now in guided_steps(world, desk, seconds):
             recorder.record(now)
     walk = recorder.trajectories(world)

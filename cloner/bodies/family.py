@@ -52,9 +52,9 @@ def usual_coefficients(sex: str, age_years: float) -> Array:
         return children(sex).at(age_years)[0]
     generic = load_generic()
     rows = [generic.phenotype_names.index(name) for name in ("sex", "age_years")]
-    told = np.array([0.0 if sex == "f" else 1.0, age_years]) - generic.phenotype_mean[rows]
+    facts = np.array([0.0 if sex == "f" else 1.0, age_years]) - generic.phenotype_mean[rows]
     slopes = generic.phenotype_from_shape[rows].astype(np.float64)
-    return np.asarray(slopes.T @ np.linalg.solve(slopes @ slopes.T, told))
+    return np.asarray(slopes.T @ np.linalg.solve(slopes @ slopes.T, facts))
 
 
 def usual_body(sex: str, stature_m: float, age_years: float) -> BodyMesh:

@@ -24,12 +24,12 @@ from cloner.records.terms import Terms
 from cloner.stages.join import eye_joints, flat_soles
 
 
-def clone_of_measures(told: BodySpecification, size: int, seed: int = 0) -> Clone:
+def clone_of_measures(spec: BodySpecification, size: int, seed: int = 0) -> Clone:
     """Return the clone of a body that only a tape knows.
 
     Parameters
     ----------
-    told : Told
+    spec : BodySpecification
     size : int
         Side of the texture, texels.
     seed : int
@@ -39,23 +39,23 @@ def clone_of_measures(told: BodySpecification, size: int, seed: int = 0) -> Clon
     ClonerError
         If nobody has these measures.
     """
-    generic, body = load_generic(), figure(told)
+    generic, body = load_generic(), figure(spec)
     vertices, joints = body.vertices_m, body.joints_m
     names, index, delta, start = face_targets(vertices)
     shown = measures_mm(vertices, joints, load_tape_rules())
-    worn = told.sex if told.age_years >= GROWN else CHILD
+    worn = spec.sex if spec.age_years >= GROWN else CHILD
     return Clone(
         vertices, joints, names, index, delta, start,
         painted(body, worn, size, np.random.default_rng(seed)),
-        (), named_features(generic, vertices), {}, told.stature_m, 0.0,
+        (), named_features(generic, vertices), {}, spec.stature_m, 0.0,
         consent=True, terms=Terms(licence="everyone"),  # nobody's likeness: a family's face and drawn skin
         triangle_regions=regions(worn),
-        measures_mm={key: round(told.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
-        sex=told.sex, age_years=told.age_years,
+        measures_mm={key: round(spec.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
+        sex=spec.sex, age_years=spec.age_years,
     )  # fmt: skip
 
 
-def figure(told: BodySpecification) -> BodyMesh:
+def figure(spec: BodySpecification) -> BodyMesh:
     """Return the shape alone of a body that only a tape knows, with flat soles on y = 0 and eyes in their sockets.
 
     Raises
@@ -63,13 +63,13 @@ def figure(told: BodySpecification) -> BodyMesh:
     ClonerError
         If nobody has these measures.
     """
-    check_specification(told)
-    generic, body = load_generic(), measured_body(told)
+    check_specification(spec)
+    generic, body = load_generic(), measured_body(spec)
     vertices = flat_soles(generic, body.vertices_m, 0.0)
     return BodyMesh(vertices, eye_joints(generic, body.joints_m, vertices))
 
 
-def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
+def remeasured_clone(clone: Clone, spec: BodySpecification) -> Clone:
     """Return a clone changed to new measures of the body under its clothes, and as little as possible otherwise.
 
     The surface of a clone is that of its clothes: each told measure moves it by what the body itself changes.
@@ -77,7 +77,7 @@ def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
     Parameters
     ----------
     clone : Clone
-    told : Told
+    spec : BodySpecification
         Its stature is the new one.
 
     Raises
@@ -85,14 +85,14 @@ def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
     ClonerError
         If nobody has these measures.
     """
-    check_specification(told)
+    check_specification(spec)
     generic, rules = load_generic(), load_tape_rules()
-    clone = scaled_clone(clone, told.stature_m / clone.stature_m)
+    clone = scaled_clone(clone, spec.stature_m / clone.stature_m)
     lift = np.array([0.0, clone.sole_m, 0.0])
     before = BodyMesh(clone.vertices_m - lift, clone.joints_m - lift)
-    shown = read(before.vertices_m, before.joints_m, rules, tuple(told.mm), seat=told.seat).mm
-    wanted = {key: shown[key] + value - clone.measures_mm.get(key, shown[key]) for key, value in told.mm.items()}
-    after = remeasured_body(before, replace(told, mm=wanted))
+    shown = read(before.vertices_m, before.joints_m, rules, tuple(spec.mm), seat=spec.seat).mm
+    wanted = {key: shown[key] + value - clone.measures_mm.get(key, shown[key]) for key, value in spec.mm.items()}
+    after = remeasured_body(before, replace(spec, mm=wanted))
     vertices = flat_soles(generic, after.vertices_m, clone.sole_m) + lift
     shift = vertices - clone.vertices_m
     skin = np.flatnonzero(generic.skin)
@@ -105,7 +105,7 @@ def remeasured_clone(clone: Clone, told: BodySpecification) -> Clone:
         shells=move_shells_with_skin(clone.shells, clone.vertices_m[skin], shift[skin]),
         features_m=named_features(generic, vertices),
         measures_mm={
-            key: round(told.mm.get(key, value + now[key] - old[key]), 1) for key, value in clone.measures_mm.items()
+            key: round(spec.mm.get(key, value + now[key] - old[key]), 1) for key, value in clone.measures_mm.items()
         },
     )
 

@@ -37,7 +37,7 @@ LIKELY: Final = (
 )  # fmt: skip
 
 
-def measured_body(told: BodySpecification) -> BodyMesh:
+def measured_body(spec: BodySpecification) -> BodyMesh:
     """Return the most likely body with the given measures, soles on y = 0.
 
     Raises
@@ -45,16 +45,16 @@ def measured_body(told: BodySpecification) -> BodyMesh:
     ClonerError
         If a measure cannot be met.
     """
-    usual = untold_mm(told)
+    usual = untold_mm(spec)
     untold = {key: pair for key, pair in usual.items() if key in LIKELY}
-    base = usual_body(told.sex, told.stature_m, told.age_years)
-    family = round_body(base, told.stature_m)
+    base = usual_body(spec.sex, spec.stature_m, spec.age_years)
+    family = round_body(base, spec.stature_m)
     rules = load_tape_rules()
-    first = fit_measures(family, rules, told.mm, untold, seat=told.seat)
-    return _smooth(first, _likely(_meet_or_refuse(first, told, rules), told, usual, rules), rules)
+    first = fit_measures(family, rules, spec.mm, untold, seat=spec.seat)
+    return _smooth(first, _likely(_meet_or_refuse(first, spec, rules), spec, usual, rules), rules)
 
 
-def remeasured_body(body: BodyMesh, told: BodySpecification) -> BodyMesh:
+def remeasured_body(body: BodyMesh, spec: BodySpecification) -> BodyMesh:
     """Return a body with new measures, changed as little as possible, soles on y = 0.
 
     Raises
@@ -63,8 +63,8 @@ def remeasured_body(body: BodyMesh, told: BodySpecification) -> BodyMesh:
         If a measure cannot be met.
     """
     rules = load_tape_rules()
-    first = fit_measures(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat)
-    return _smooth(first, _meet_or_refuse(first, told, rules), rules)
+    first = fit_measures(round_body(body, spec.stature_m), rules, spec.mm, {}, seat=spec.seat)
+    return _smooth(first, _meet_or_refuse(first, spec, rules), rules)
 
 
 def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
@@ -73,11 +73,11 @@ def _smooth(first: BodyMesh, body: BodyMesh, rules: TapeRules) -> BodyMesh:
 
 
 def _likely(
-    body: BodyMesh, told: BodySpecification, untold: Mapping[str, tuple[float, float]], rules: TapeRules
+    body: BodyMesh, spec: BodySpecification, untold: Mapping[str, tuple[float, float]], rules: TapeRules
 ) -> BodyMesh:
     """Return the body with unlikely other measures brought closer to likely ones, as far as the given ones stay met."""
     usual = {key: pair for key, pair in untold.items() if key in (*GIRTHS, *LENGTHS)}
-    shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=told.seat).mm
+    shown = read(body.vertices_m, body.joints_m, rules, tuple(usual), seat=spec.seat).mm
     far = {
         key: mean + float(np.copysign(WITHIN, shown[key] - mean)) * spread
         for key, (mean, spread) in usual.items()
@@ -89,27 +89,27 @@ def _likely(
         if not asked or asked == tried:
             continue
         tried = asked
-        found = _meet_measures(body, {**told.mm, **asked}, told, rules)
-        now = read(found.vertices_m, found.joints_m, rules, tuple(told.mm), seat=told.seat).mm
-        if all(abs(now[key] - value) < KEPT_MM * (1 if key in GIRTHS else 2) for key, value in told.mm.items()):
+        found = _meet_measures(body, {**spec.mm, **asked}, spec, rules)
+        now = read(found.vertices_m, found.joints_m, rules, tuple(spec.mm), seat=spec.seat).mm
+        if all(abs(now[key] - value) < KEPT_MM * (1 if key in GIRTHS else 2) for key, value in spec.mm.items()):
             return found
     return body
 
 
-def _meet_or_refuse(body: BodyMesh, told: BodySpecification, rules: TapeRules) -> BodyMesh:
+def _meet_or_refuse(body: BodyMesh, spec: BodySpecification, rules: TapeRules) -> BodyMesh:
     """Return the body with the given measures met, or refuse the worst of them."""
-    body = _meet_measures(body, told.mm, told, rules)
-    shown = read(body.vertices_m, body.joints_m, rules, tuple(told.mm), seat=told.seat).mm
-    worst = max(told.mm, key=lambda key: abs(shown[key] - told.mm[key]), default="")
-    if worst and abs(shown[worst] - told.mm[worst]) > FAR_MM:
-        raise refused(worst, shown[worst] - told.mm[worst], told.mm[worst])
+    body = _meet_measures(body, spec.mm, spec, rules)
+    shown = read(body.vertices_m, body.joints_m, rules, tuple(spec.mm), seat=spec.seat).mm
+    worst = max(spec.mm, key=lambda key: abs(shown[key] - spec.mm[key]), default="")
+    if worst and abs(shown[worst] - spec.mm[worst]) > FAR_MM:
+        raise refused(worst, shown[worst] - spec.mm[worst], spec.mm[worst])
     return body
 
 
-def _meet_measures(body: BodyMesh, mm: Mapping[str, float], told: BodySpecification, rules: TapeRules) -> BodyMesh:
+def _meet_measures(body: BodyMesh, mm: Mapping[str, float], spec: BodySpecification, rules: TapeRules) -> BodyMesh:
     """Return the body with lengths and girths met, alternating, as each disturbs the other."""
     lengths = {key: value for key, value in mm.items() if key in LENGTHS}
     girths = {key: value for key, value in mm.items() if key in GIRTHS}
     for _ in range(ROUNDS if lengths else 1):
-        body = meet_girths(stretch_lengths(body, rules, lengths), rules, girths, told.sex, seat=told.seat)
+        body = meet_girths(stretch_lengths(body, rules, lengths), rules, girths, spec.sex, seat=spec.seat)
     return body

@@ -67,13 +67,13 @@ def meet_girths(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float], 
 
 
 def _field(
-    generic: GenericHuman, vertices: Array, key: str, planes: Planes, rules: TapeRules, told: tuple[str, ...], sex: str
+    generic: GenericHuman, vertices: Array, key: str, planes: Planes, rules: TapeRules, given: tuple[str, ...], sex: str
 ) -> Array:
     """Return (V, 3) the field of a girth's region, about a metre outward where it is strongest."""
     own = planes[key]
     if key in ("bust_girth", "underbust_girth", "narrowest_waist_girth", "waist_girth", "navel_girth", "hip_girth"):
-        return _trunk_field(generic, vertices, key, planes, rules, told, sex)
-    wide = _narrowed(key, planes, told)
+        return _trunk_field(generic, vertices, key, planes, rules, given, sex)
+    wide = _narrowed(key, planes, given)
     total = np.zeros_like(vertices)
     for plane in own:
         share = generic.share(*plane.segments) * generic.skin
@@ -84,7 +84,7 @@ def _field(
 
 
 def _trunk_field(
-    generic: GenericHuman, vertices: Array, key: str, planes: Planes, rules: TapeRules, told: tuple[str, ...], sex: str
+    generic: GenericHuman, vertices: Array, key: str, planes: Planes, rules: TapeRules, given: tuple[str, ...], sex: str
 ) -> Array:
     level = float(planes[key][0].point_m[1])
     ring = slice_points(vertices, rules.torso, planes[key][0].point_m, planes[key][0].normal)
@@ -95,7 +95,7 @@ def _trunk_field(
     heights = {name: float(planes[f"{name}_girth"][0].point_m[1]) for name in ("underbust", "waist")}
     if key == "bust_girth":
         top = float(vertices[rules.points["acromion_left"], 1])
-        low = heights["underbust"] if "underbust_girth" in told else heights["underbust"] - 0.04
+        low = heights["underbust"] if "underbust_girth" in given else heights["underbust"] - 0.04
         found = sections.breast(vertices, centre, (low, top), level, sex)
     elif key == "hip_girth":
         low, high = ring.min(axis=0), ring.max(axis=0)
@@ -104,17 +104,17 @@ def _trunk_field(
         found = sections.hips(vertices, box, (level - ends[0]) / (ends[1] - ends[0]))
         found = found * 0.15  # a metre at the lattice's corner is far more than a tape's
     else:
-        found = sections.waist(vertices, centre, level, _narrowed(key, planes, told))
+        found = sections.waist(vertices, centre, level, _narrowed(key, planes, given))
     return np.asarray(share[:, None] * found)
 
 
-def _narrowed(key: str, planes: Planes, told: tuple[str, ...]) -> float:
+def _narrowed(key: str, planes: Planes, given: tuple[str, ...]) -> float:
     """Return half the range of a girth's field: no farther than the next given girth on the same part."""
     own = planes[key][0]
     axis = own.normal / np.linalg.norm(own.normal)
     away = [
         abs(float((planes[other][0].point_m - own.point_m) @ axis))
-        for other in told
+        for other in given
         if other != key and set(planes[other][0].segments) & set(own.segments)
     ]
     return float(np.clip(min((*away, 2.0 * WIDE_M[key])) / 2.0, NARROWEST_M, WIDE_M[key]))

@@ -80,7 +80,7 @@ def statures_m(sex: str, age_years: float) -> tuple[float, float]:
     return (median - FAR * spread) / 1e3, (median + FAR * spread) / 1e3
 
 
-def check_specification(told: BodySpecification) -> None:
+def check_specification(spec: BodySpecification) -> None:
     """Refuse what no body can have.
 
     Raises
@@ -88,50 +88,50 @@ def check_specification(told: BodySpecification) -> None:
     ClonerError
         One sentence that names the measure.
     """
-    if told.sex not in SEXES:
-        raise ClonerError(f"the sex {told.sex!r} is not known", "Give --sex f or --sex m", "--sex")
-    if not YOUNGEST <= told.age_years <= OLDEST:  # neither nan
+    if spec.sex not in SEXES:
+        raise ClonerError(f"the sex {spec.sex!r} is not known", "Give --sex f or --sex m", "--sex")
+    if not YOUNGEST <= spec.age_years <= OLDEST:  # neither nan
         hint = f"People of {YOUNGEST:.0f} to {OLDEST:.0f} years can be made"
-        raise ClonerError(f"an age of {told.age_years:g} years cannot be made", hint, "--age")
-    low, high = (100.0 * end for end in statures_m(told.sex, told.age_years))
-    if not low <= 100.0 * told.stature_m <= high:
+        raise ClonerError(f"an age of {spec.age_years:g} years cannot be made", hint, "--age")
+    low, high = (100.0 * end for end in statures_m(spec.sex, spec.age_years))
+    if not low <= 100.0 * spec.stature_m <= high:
         hint = f"Adults of {low:.0f} to {high:.0f} cm can be made"
-        if told.age_years < GROWN:
-            hint = f"At {told.age_years:g} years bodies of {low:.0f} to {high:.0f} cm can be made"
-        raise ClonerError(f"a stature of {100.0 * told.stature_m:g} cm cannot be made", hint, "--stature")
-    for key in told.mm:
+        if spec.age_years < GROWN:
+            hint = f"At {spec.age_years:g} years bodies of {low:.0f} to {high:.0f} cm can be made"
+        raise ClonerError(f"a stature of {100.0 * spec.stature_m:g} cm cannot be made", hint, "--stature")
+    for key in spec.mm:
         if key not in (*GIRTHS, *LENGTHS):
             hint = f"These can: {', '.join((*GIRTHS, *LENGTHS))}"
             raise ClonerError(f"the {_words(key)} cannot be told, it follows from the others", hint, key)
     for larger, smaller in NEVER_SMALLER:
-        if larger in told.mm and smaller in told.mm and told.mm[larger] < told.mm[smaller]:
-            large, small = told.mm[larger], told.mm[smaller]
+        if larger in spec.mm and smaller in spec.mm and spec.mm[larger] < spec.mm[smaller]:
+            large, small = spec.mm[larger], spec.mm[smaller]
             raise ClonerError(
                 f"the {_words(larger)} of {_cm(large)} is smaller than the {_words(smaller)} of {_cm(small)}",
                 _MEASURE,
                 larger,
             )
-    _check_likely(told)
+    _check_likely(spec)
 
 
-def _check_likely(told: BodySpecification) -> None:
+def _check_likely(spec: BodySpecification) -> None:
     """Refuse measures far from everybody's, alone or beside the others."""
-    everybody = people(told.sex, told.age_years)
-    for key, value in told.mm.items():
-        _check_near(told, key, value, everybody.spread_mm(key, told.stature_m), FAR, alone=True)
-    for key, value in told.mm.items():
-        others = {other: each for other, each in told.mm.items() if other != key}
-        alike = everybody.told(told.stature_m, others)
-        _check_near(told, key, value, alike.spread_mm(key, told.stature_m), FAR_TOGETHER, alone=False)
+    everybody = people(spec.sex, spec.age_years)
+    for key, value in spec.mm.items():
+        _check_near(spec, key, value, everybody.spread_mm(key, spec.stature_m), FAR, alone=True)
+    for key, value in spec.mm.items():
+        others = {other: each for other, each in spec.mm.items() if other != key}
+        alike = everybody.told(spec.stature_m, others)
+        _check_near(spec, key, value, alike.spread_mm(key, spec.stature_m), FAR_TOGETHER, alone=False)
 
 
 def _check_near(
-    told: BodySpecification, key: str, value: float, usual: tuple[float, float], far: float, *, alone: bool
+    spec: BodySpecification, key: str, value: float, usual: tuple[float, float], far: float, *, alone: bool
 ) -> None:
     mean, spread = usual[0], max(usual[1], 0.02 * usual[0])
     if abs(value - mean) > far * spread:
         hint = f"Measure again; {_cm(mean - far * spread)} to {_cm(mean + far * spread)} can be made"
-        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * told.stature_m:.0f} cm"
+        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * spec.stature_m:.0f} cm"
         raise ClonerError(message if alone else f"{message} with the other measures", hint, key)
 
 
@@ -141,12 +141,12 @@ def refused(key: str, error_mm: float, wanted_mm: float) -> ClonerError:
     return ClonerError(message, "Measure it again, or leave it out", key)
 
 
-def untold_mm(told: BodySpecification) -> dict[str, tuple[float, float]]:
+def untold_mm(spec: BodySpecification) -> dict[str, tuple[float, float]]:
     """Return the most likely value and the standard deviation of every measure that is not given, mm."""
-    alike = people(told.sex, told.age_years).told(told.stature_m, told.mm)
-    deviation = told.stature_m * np.sqrt(np.maximum(np.diag(alike.covariance), 0.0))
-    values = told.stature_m * alike.mean
-    return {key: (float(values[row]), float(deviation[row])) for row, key in enumerate(ALL_KEYS) if key not in told.mm}
+    alike = people(spec.sex, spec.age_years).told(spec.stature_m, spec.mm)
+    deviation = spec.stature_m * np.sqrt(np.maximum(np.diag(alike.covariance), 0.0))
+    values = spec.stature_m * alike.mean
+    return {key: (float(values[row]), float(deviation[row])) for row, key in enumerate(ALL_KEYS) if key not in spec.mm}
 
 
 def _words(key: str) -> str:

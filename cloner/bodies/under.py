@@ -54,18 +54,18 @@ def body_under(dressed: BodyMesh, bare: Flags, girths_mm: Mapping[str, float], s
         Decides where a chest grows.
     """
     generic, rules = load_generic(), load_tape_rules()
-    told = {key: value for key, value in girths_mm.items() if key in GIRTHS}
-    body = _fitted(generic, dressed, bare, told, stature_m)
+    known_mm = {key: value for key, value in girths_mm.items() if key in GIRTHS}
+    body = _fitted(generic, dressed, bare, known_mm, stature_m)
     graph = person_graph(generic, body.vertices_m)
     body = BodyMesh(_onto(generic, graph, body, dressed, bare), dressed.joints_m)
-    body = meet_girths(body, rules, told, sex, seat=False)
+    body = meet_girths(body, rules, known_mm, sex, seat=False)
     own = bare | ~generic.skin
     still = np.where(own, 1.0, graph.smooth(own.astype(np.float64), 4))[:, None]
     return BodyMesh(still * dressed.vertices_m + (1.0 - still) * body.vertices_m, dressed.joints_m)
 
 
 def _fitted(
-    generic: GenericHuman, dressed: BodyMesh, bare: Flags, told: Mapping[str, float], stature_m: float
+    generic: GenericHuman, dressed: BodyMesh, bare: Flags, data: Mapping[str, float], stature_m: float
 ) -> BodyMesh:
     """Return the likeliest body of the family under the clothes (damped Gauss-Newton)."""
     scale, rules = stature_m / GENERIC_STATURE_M, load_tape_rules()
@@ -80,13 +80,13 @@ def _fitted(
         body = family.body(coefficients)
         out = np.einsum("ij,ij->i", (body.vertices_m - dressed.vertices_m)[hidden], normals[hidden])
         beyond = hidden[out > 0.0]
-        reading = read(body.vertices_m, body.joints_m, rules, tuple(told))
-        girths = [_girth(body, family, reading, key) for key in told]
+        reading = read(body.vertices_m, body.joints_m, rules, tuple(data))
+        girths = [_girth(body, family, reading, key) for key in data]
         says = (
             (family.modes_m[:, seen], (dressed.vertices_m - body.vertices_m)[seen], BARE_M),
             (family.joint_modes_m[:, bones], (dressed.joints_m - body.joints_m)[bones], JOINT_M),
             (np.einsum("cvk,vk->cv", family.modes_m[:, beyond], normals[beyond]), -out[out > 0.0], OUT_M),
-            (np.array(girths).T, np.array([value - reading.mm[key] for key, value in told.items()]), GIRTH_MM),
+            (np.array(girths).T, np.array([value - reading.mm[key] for key, value in data.items()]), GIRTH_MM),
         )
         slopes = np.concatenate([each.reshape(len(each), -1).T / sigma for each, _, sigma in says]).astype(np.float64)
         gap = np.concatenate([each.ravel() / sigma for _, each, sigma in says])

@@ -78,18 +78,18 @@ def body_folder(
         raise ClonerError("the stature is missing", "Give --stature and as many measures as you know", "--stature")
     progress("body", 0.0)
     old = load_clone_at(source) if source is not None else None
-    told = _told(sex, stature_cm, measures_cm, age_years, old)
+    spec = _told(sex, stature_cm, measures_cm, age_years, old)
     with result_folder(out, safe_identifier(identifier)) as folder:
-        clone = clone_of_measures(told, texture_size) if old is None else remeasured_clone(old, told)
-        clone = replace(clone, stamp=_stamp(told, identifier, texture_size, old))
+        clone = clone_of_measures(spec, texture_size) if old is None else remeasured_clone(old, spec)
+        clone = replace(clone, stamp=_stamp(spec, identifier, texture_size, old))
         progress("export", 0.5)
-        options = {"sex": told.sex, "stature_m": round(told.stature_m, 4), "age_years": told.age_years}
-        options["told_mm"] = dict(told.mm)
-        told_mm = {key: round(value, 1) for key, value in told.mm.items()}
+        options = {"sex": spec.sex, "stature_m": round(spec.stature_m, 4), "age_years": spec.age_years}
+        options["told_mm"] = dict(spec.mm)
+        told_mm = {key: round(value, 1) for key, value in spec.mm.items()}
         manifest = make_manifest(clone, "body from measures", options, source) | {"told_mm": told_mm}
         write_result(clone, folder, f"Body {identifier}", formats, manifest)
     progress("done", 1.0)
-    return out / safe_identifier(identifier), _said(clone, told, old)
+    return out / safe_identifier(identifier), _said(clone, spec, old)
 
 
 def _told(
@@ -113,23 +113,23 @@ def sex_of(clone: Clone) -> str:
     return "m" if chest > 0.88 * hip > 0.0 else "f"
 
 
-def _stamp(told: BodySpecification, identifier: str, size: int, old: Clone | None) -> str:
+def _stamp(spec: BodySpecification, identifier: str, size: int, old: Clone | None) -> str:
     """Return the stamp of every file; a changed clone keeps the link to its visitor."""
-    changed = ", ".join(f"{key.replace('_', ' ')} {value:.1f}" for key, value in told.mm.items())
+    changed = ", ".join(f"{key.replace('_', ' ')} {value:.1f}" for key, value in spec.mm.items())
     if old is not None:
         return f"{old.stamp}, told {changed}"[:400]
-    text = json.dumps([identifier, told.sex, told.age_years, told.stature_m, dict(told.mm)])
+    text = json.dumps([identifier, spec.sex, spec.age_years, spec.stature_m, dict(spec.mm)])
     return stamp_text(0, size, [hashlib.sha256(text.encode()).hexdigest()])
 
 
-def _said(clone: Clone, told: BodySpecification, old: Clone | None) -> tuple[str, ...]:
+def _said(clone: Clone, spec: BodySpecification, old: Clone | None) -> tuple[str, ...]:
     """Return one line per given measure, and the unlikely ones among the others."""
-    shown = read(clone.vertices_m, clone.joints_m, load_tape_rules(), tuple(told.mm), clone.sole_m, seat=told.seat).mm
+    shown = read(clone.vertices_m, clone.joints_m, load_tape_rules(), tuple(spec.mm), clone.sole_m, seat=spec.seat).mm
     lines = [
-        f"{key}: told {value / 10.0:.1f} cm, the mesh shows {shown[key] / 10.0:.1f}" for key, value in told.mm.items()
+        f"{key}: told {value / 10.0:.1f} cm, the mesh shows {shown[key] / 10.0:.1f}" for key, value in spec.mm.items()
     ]
     if old is None:
-        usual = untold_mm(told)
+        usual = untold_mm(spec)
         for key in (*GIRTHS, *LENGTHS):
             if key in usual and abs(clone.measures_mm[key] - usual[key][0]) > 2.0 * usual[key][1]:
                 lines.append(

@@ -100,8 +100,8 @@ def fit_head_poses(
 
 def median_hair_thickness_mm(sights: Mapping[ViewId, HeadEvidence], otherwise_mm: float) -> float:
     """Return the median thickness of hair above the skull over all photos; `otherwise_mm` where none shows hair."""
-    told = np.concatenate([sight.thickness_mm() for sight in sights.values()])
-    return float(np.median(told)) if len(told) else otherwise_mm
+    thickness_mm = np.concatenate([sight.thickness_mm() for sight in sights.values()])
+    return float(np.median(thickness_mm)) if len(thickness_mm) else otherwise_mm
 
 
 def _prior_angles_deg(view: ViewId, params: Params) -> tuple[float, ...]:

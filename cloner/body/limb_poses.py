@@ -151,19 +151,19 @@ def vertex_jacobian(
 
 
 def _joint_residuals(
-    mesh: BodyMesh, photo: OutlinedPhoto, told: ObservedJoints, values: Array, pivot: Array
+    mesh: BodyMesh, photo: OutlinedPhoto, observed: ObservedJoints, values: Array, pivot: Array
 ) -> Residuals:
     """Return the residuals of observed joints in one photo by its angles and camera (A), given in ``values``."""
     parents = load_generic().joint_parents
     transforms = joint_transforms(mesh.joints_m, parents, photo.posed.rotations)
     pivots = posed_joints(transforms, mesh.joints_m)
-    places = pivots[told.joints]
-    shares = (is_below(parents, joint)[told.joints].astype(np.float64) for joint, *_ in _joint_rotations())
+    places = pivots[observed.joints]
+    shares = (is_below(parents, joint)[observed.joints].astype(np.float64) for joint, *_ in _joint_rotations())
     by_limbs = _angle_jacobian(transforms, pivots, places, shares, values)
     by_curls = np.zeros((len(places), 2, len(_finger_curls())))  # no finger is among them
     pixels, by_points, by_step = projection_derivatives(photo.posed.camera, places)
     jacobian = np.concatenate([by_points @ by_limbs, by_curls, by_step @ motion_jacobian(values[-6:], pivot)], axis=2)
-    return point_residuals((photo.view,), pixels - told.places_px, jacobian, told.sigma_px, outlier=OUTLIER)
+    return point_residuals((photo.view,), pixels - observed.places_px, jacobian, observed.sigma_px, outlier=OUTLIER)
 
 
 def _middle(mesh: BodyMesh) -> Array:

@@ -70,9 +70,9 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     focal = focal_px_from_35mm(params.focal_35mm, width, height)
     camera = facing_camera(mean[:-2], seen[:-2], azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
     metres = camera.metres_per_pixel(mean[:-2].mean(axis=0))
-    told = Evidence(0, mean, basis, seen, sigma / metres, outlier=np.inf, common_error_px=drift / metres)
+    evidence = Evidence(0, mean, basis, seen, sigma / metres, outlier=np.inf, common_error_px=drift / metres)
     start = ShapeFit(np.zeros(len(basis) + len(drift)), (camera,), np.zeros((1, 3)))
-    found = fit_shape(start, lambda fit, turn: [told], iterations=params.iterations).coefficients[: len(basis)]
+    found = fit_shape(start, lambda fit, turn: [evidence], iterations=params.iterations).coefficients[: len(basis)]
     return np.clip(found, -params.max_sigmas, params.max_sigmas)
 
 

@@ -46,14 +46,14 @@ def draw_walk_pictures(visitor: Path, result: Path, progress: Progress) -> Path:
         If there is no clone, or it cannot be drawn or written.
     """
     clone = load_clone(result / CLONE_FILE)
-    told = PngInfo()
+    text = PngInfo()
     whole, facts = _strip(clone, progress)
     for key, value in facts.items():
-        told.add_text(key, f"{value:.4f}")
+        text.add_text(key, f"{value:.4f}")
     try:
         (visitor / FILE).parent.mkdir(exist_ok=True)
         with atomic_file(visitor / FILE) as temporary:
-            Image.fromarray(whole).save(temporary, format="PNG", pnginfo=told)
+            Image.fromarray(whole).save(temporary, format="PNG", pnginfo=text)
     except OSError as error:
         raise ClonerError("it cannot be written there", "Check the folder and its space", visitor.name) from error
     return visitor / FILE

@@ -179,12 +179,12 @@ def _room(room: str) -> Mapping[str, Mapping[str, Entry]]:
     place = importlib.resources.files("cloner.calibration") / f"{room}.toml"
     if not place.is_file():
         raise KeyError(f"no calibration of {room!r}")
-    told = tomllib.loads(place.read_text(encoding="utf-8"))
-    return {module: {name: _entry(entry) for name, entry in table.items()} for module, table in told.items()}
+    data = tomllib.loads(place.read_text(encoding="utf-8"))
+    return {module: {name: _entry(entry) for name, entry in table.items()} for module, table in data.items()}
 
 
-def _entry(told: Mapping[str, Any]) -> Entry:
-    value = told["value"]
+def _entry(data: Mapping[str, Any]) -> Entry:
+    value = data["value"]
     number: Value
     if isinstance(value, Mapping):
         number = MappingProxyType({str(name): float(one) for name, one in value.items()})
@@ -192,4 +192,4 @@ def _entry(told: Mapping[str, Any]) -> Entry:
         number = tuple(float(one) for one in value)
     else:
         number = float(value)
-    return Entry(number, told["unit"], told["what"], told["origin"], told["how"], told["since"])
+    return Entry(number, data["unit"], data["what"], data["origin"], data["how"], data["since"])

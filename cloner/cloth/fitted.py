@@ -128,7 +128,7 @@ def read_mhclo(path: Path) -> MakeHumanGarment:
     ClonerError
         If one of them is missing or broken.
     """
-    told: dict[str, list[str]] = {}
+    data: dict[str, list[str]] = {}
     rows: list[list[str]] = []
     inside = False
     for line in read_untrusted_text(path, "the garment", _HINT, LARGEST_BYTES, errors="replace").splitlines():
@@ -137,7 +137,7 @@ def read_mhclo(path: Path) -> MakeHumanGarment:
             continue
         if words[0][0].isalpha():
             inside = words[0] == "verts"
-            told.setdefault(words[0], words[1:])
+            data.setdefault(words[0], words[1:])
         elif inside:
             rows.append(words)
     try:
@@ -145,14 +145,14 @@ def read_mhclo(path: Path) -> MakeHumanGarment:
             raise ValueError("rows of another kind")
         numbers = np.array([row if len(row) == 9 else [*row * 3, "1", "0", "0", "0", "0", "0"] for row in rows], float)
         spans = {
-            axis: (int(told[key][0]), int(told[key][1]), float(told[key][2]) * UNIT_M)
+            axis: (int(data[key][0]), int(data[key][1]), float(data[key][2]) * UNIT_M)
             for axis, key in enumerate(("x_scale", "y_scale", "z_scale"))
         }
         named = np.array([*numbers[:, :3].ravel(), *(end for one, other, _ in spans.values() for end in (one, other))])
         if not np.isfinite(numbers).all() or named.min() < 0 or named.max() >= ALL:
             raise ValueError("no vertex of the base mesh")
         indices = numbers[:, :3].astype(np.int64)
-        mesh_file = path.with_name(told["obj_file"][0])
+        mesh_file = path.with_name(data["obj_file"][0])
         if min(length for _, _, length in spans.values()) <= 0.0 or np.abs(numbers[:, 3:]).max() > 1e3:
             raise ValueError("out of all bounds")
     except (ValueError, LookupError) as error:
@@ -161,7 +161,7 @@ def read_mhclo(path: Path) -> MakeHumanGarment:
     if len(mesh.vertices_m) != len(rows):
         told_both = f"the garment has {len(rows)} rows and its mesh {len(mesh.vertices_m)} vertices"
         raise ClonerError(told_both, _HINT, mesh_file.name)
-    return MakeHumanGarment(indices, numbers[:, 3:6], numbers[:, 6:] * UNIT_M, spans, mesh, _picture(path, told))
+    return MakeHumanGarment(indices, numbers[:, 3:6], numbers[:, 6:] * UNIT_M, spans, mesh, _picture(path, data))
 
 
 def _beside(file: Path, path: Path) -> Path:
@@ -171,9 +171,9 @@ def _beside(file: Path, path: Path) -> Path:
     return file
 
 
-def _picture(path: Path, told: dict[str, list[str]]) -> NDArray[np.uint8]:
+def _picture(path: Path, data: dict[str, list[str]]) -> NDArray[np.uint8]:
     """Return the garment's picture, plain grey if its material names none that exists."""
-    material = path.with_name(Path(told["material"][0]).name) if told.get("material") else None
+    material = path.with_name(Path(data["material"][0]).name) if data.get("material") else None
     if material is not None and material.is_file():
         for line in read_untrusted_text(material, "the material", _HINT, LARGEST_BYTES, errors="replace").splitlines():
             words = line.split()

@@ -44,15 +44,16 @@ def body(
     from cloner.bodies.children import USUAL_AGE
     from cloner.bodies.written import body_folder
 
-    told = {name: value for name, value in (("bust", bust), ("waist", waist), ("hip", hip)) if value is not None}
+    measures_cm = {name: value for name, value in (("bust", bust), ("waist", waist), ("hip", hip)) if value is not None}
     for name, value in map(named_number, measures or ()):
-        if name in told:
+        if name in measures_cm:
             raise ClonerError(f"{name} is given twice", "Keep one of both", "--measure")
-        told[name] = value
+        measures_cm[name] = value
     with ProgressLine() as progress:
         folder, lines = body_folder(
-            out, identifier, sex=sex.lower(), stature_cm=stature, measures_cm=told, formats=split_formats(formats),
-            texture_size=size, age_years=USUAL_AGE if age is None else age, source=source, progress=progress,
+            out, identifier, sex=sex.lower(), stature_cm=stature, measures_cm=measures_cm,
+            formats=split_formats(formats), texture_size=size, age_years=USUAL_AGE if age is None else age,
+            source=source, progress=progress,
         )  # fmt: skip
     say(lines)
     typer.echo(str(folder))

@@ -90,7 +90,7 @@ def batch(
     def tell(row: BatchRow, done: int, total: int) -> None:
         typer.echo(f"{done}/{total} {row.identifier}: {row.message}{pace(done, total, start)}", err=True)
 
-    rows = batch_folder(photos_root, out, options, told=tell)
+    rows = batch_folder(photos_root, out, options, report=tell)
     typer.echo(summary_table(rows))
     if any(row.status == "failed" for row in rows):
         raise typer.Exit(EXIT_SOME_FAILED)

@@ -125,7 +125,7 @@ def _guide(
     """Let a scenario's people walk by the clock, guided by other programs of this machine."""
     from cloner.behaviour.written import guide_file
 
-    for line in guide_file(scenario, out, seconds=seconds, seed=seed, port=port, told=at_once):
+    for line in guide_file(scenario, out, seconds=seconds, seed=seed, port=port, report=at_once):
         typer.echo(line)
 
 

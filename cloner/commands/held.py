@@ -59,6 +59,6 @@ def forget_some(
         left += found
         typer.echo(f"{holding.identifier}: {'not all is gone' if found else f'{holding.files} files deleted'}")
     if left:
-        told = ", ".join(printable(one) for one in sorted(set(left)))
-        typer.echo(f"still there, or telling of them: {told}", err=True)
+        left_files = ", ".join(printable(one) for one in sorted(set(left)))
+        typer.echo(f"still there, or telling of them: {left_files}", err=True)
         raise typer.Exit(EXIT_SOME_FAILED)

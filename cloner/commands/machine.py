@@ -85,7 +85,7 @@ def evaluate(
             out,
             shown=tuple(photos or ViewId),
             progress=progress,
-            told=sentences.append,
+            report=sentences.append,
             seed=seed,
         )
     for sentence in sentences:

@@ -142,10 +142,10 @@ def propagate_corrections(points: ViewPoints, fixed: NDArray[np.bool_], targets_
     places[fixed], confidence[fixed] = targets_px, 1.0
     errors = errors_in_view(points.view)
     frame = align_layout(points, errors)
-    told = None if frame is None else _kalman_gain(errors, frame, points, fixed, places)
-    if frame is None or told is None:
+    message = None if frame is None else _kalman_gain(errors, frame, points, fixed, places)
+    if frame is None or message is None:
         return places, confidence
-    gain, error = told
+    gain, error = message
     axes = axis_rows(frame.known)
     most_likely = (errors.moment[axes] @ gain @ error).reshape(-1, 2) * frame.expected_iod[:, None]
     before = np.diag(errors.moment)[axes].reshape(-1, 2).sum(axis=1)

@@ -85,8 +85,8 @@ def preview_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple
     root = np.asarray(np.linalg.cholesky(own @ reached + 1e-6 * np.eye(len(vertices))), dtype=np.float64)
     shift = reached @ np.asarray(np.linalg.solve(root.T, _control_pulls(shape[vertices], vertices, root, moved)))
     shape[generic.head_vertices] += deform(weights, shift)
-    told = tuple(_outcome(one, joined.vertices_m, shape) for one in moved)
-    return replace(joined, vertices_m=shape, features_m=named_features(generic, shape)), told
+    outcomes = tuple(_outcome(one, joined.vertices_m, shape) for one in moved)
+    return replace(joined, vertices_m=shape, features_m=named_features(generic, shape)), outcomes
 
 
 def _control_pulls(places_m: Array, vertices: NDArray[np.int64], root: Array, moved: list[_Moved]) -> Array:

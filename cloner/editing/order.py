@@ -54,9 +54,9 @@ def greedy_gains(points: ViewPoints) -> list[tuple[str, float]]:
     else:
         expected = expected_error(points.confidence)
         away = BODY_SHARE * FIGURE_M * expected * np.sqrt(_outlier_probability(expected))
-    told = dict(known)
-    alone = {name: float(far**2) for name, far in zip(points.names, away, strict=True) if name not in told}
-    rows = [*told.items(), *alone.items()]
+    known_now = dict(known)
+    alone = {name: float(far**2) for name, far in zip(points.names, away, strict=True) if name not in known_now}
+    rows = [*known_now.items(), *alone.items()]
     return sorted((row for row in rows if not points.corrected[points.names.index(row[0])]), key=lambda row: -row[1])
 
 

@@ -135,8 +135,8 @@ def obey_skin(
         return vertices_m, [refused[k] for k in range(len(targets))]
     work = _Work(vertices_m, stature_m, tuple(claims), scenes, params)
     bend = _solve(work)
-    told = iter(_outcomes(work, bend))
-    return bend.bent(vertices_m), [refused[k] if k in refused else next(told) for k in range(len(targets))]
+    outcomes = iter(_outcomes(work, bend))
+    return bend.bent(vertices_m), [refused[k] if k in refused else next(outcomes) for k in range(len(targets))]
 
 
 def _solve(work: _Work) -> _Bend:

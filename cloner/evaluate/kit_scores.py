@@ -31,7 +31,7 @@ from cloner.records.clones import Clone
 log = logging.getLogger(__name__)
 
 Pictures = dict[str, list[NDArray[np.uint8]]]
-Told = Callable[[str], None]
+Report = Callable[[str], None]
 
 _COLUMNS: Final = ("value", "generic", "other")
 
@@ -42,7 +42,7 @@ def evaluate_people(
     *,
     shown: Collection[ViewId] = tuple(ViewId),
     progress: Callable[[str, float], None] = lambda what, fraction: None,
-    told: Told = lambda sentence: None,
+    report: Report = lambda sentence: None,
 ) -> list[Row]:
     """Clone people from their photos alone, then score them.
 
@@ -54,7 +54,7 @@ def evaluate_people(
         Receives the clones and the held-out pictures; None keeps nothing.
     shown : collection of ViewId
         Photos to clone from; the others are held out and scored as views that no photo shows.
-    progress, told : callable
+    progress, report : callable
         Get what is done now and how far it is; get a sentence a refusal and a warning.
 
     Returns
@@ -70,10 +70,10 @@ def evaluate_people(
         ahead: CloneRun | None = None
         for number, person in enumerate(people):
             progress(f"clone {person.name}", number / len(people))
-            run = clone_person(person, place, told, shown) if number == 0 else ahead
+            run = clone_person(person, place, report, shown) if number == 0 else ahead
             first = run if number == 0 else first
             after = number + 1
-            ahead = clone_person(queue[after], place, told, shown) if after < len(queue) else first
+            ahead = clone_person(queue[after], place, report, shown) if after < len(queue) else first
             progress(f"score {person.name}", (number + 0.5) / len(people))
             rows += score_person(person, run, None if ahead is None else ahead.clone, out, shown)
     return rows
@@ -87,22 +87,24 @@ def _neighbour_person(people: Sequence[Path]) -> list[Path]:
     return [near for near in sorted(place.parent.iterdir()) if near != place and is_kit_person(near)][:1]
 
 
-def clone_person(person: Path, out: Path, told: Told, shown: Collection[ViewId] = tuple(ViewId)) -> CloneRun | None:
+def clone_person(person: Path, out: Path, report: Report, shown: Collection[ViewId] = tuple(ViewId)) -> CloneRun | None:
     """Return the clone of one person from the photos shown, None if there is none: refused, or a defect of ours."""
     with photos_without_truth(person, shown) as photos:
         try:
             run = clone_in_process(photos, given_height_m(person), out, labelled=True)
         except ClonerError as error:
-            told(f"{person.name}: refused: {error}")
+            report(f"{person.name}: refused: {error}")
             return None
         except Cancelled:
             raise
         except Exception as error:  # one person's defect must not end a night's evaluation
             log.info("%s failed", person.name, exc_info=True)  # a trace is for --verbose
-            told(f"{person.name}: not cloned: a defect of Cloner ({type(error).__name__}); report what --verbose says")
+            report(
+                f"{person.name}: not cloned: a defect of Cloner ({type(error).__name__}); report what --verbose says"
+            )
             return None
     for warning in run.warnings:
-        told(f"{person.name}: {warning}")
+        report(f"{person.name}: {warning}")
     return run
 
 

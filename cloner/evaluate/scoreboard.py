@@ -34,7 +34,7 @@ def evaluate_visitors(
     *,
     shown: Collection[ViewId] = tuple(ViewId),
     progress: Progress = lambda what, fraction: None,
-    told: Callable[[str], None] = lambda sentence: None,
+    report: Callable[[str], None] = lambda sentence: None,
     seed: int = 0,
 ) -> list[Row]:
     """Clone visitors from their photos alone, then score the clones against the truth.
@@ -54,7 +54,7 @@ def evaluate_visitors(
         Photos to clone generated people from; those kept back are scored too. The samples keep all of theirs.
     progress : callable
         Called with what is done now and the fraction of the whole, 0..1.
-    told : callable
+    report : callable
         Called with a sentence for every person of the generator who was refused, and every warning.
     seed : int
         For the samples drawn on surfaces.
@@ -72,7 +72,7 @@ def evaluate_visitors(
     """
     people = kit_people(paths)
     paths = [path for path in paths if (path / "truth.json").is_file() and not is_kit_person(path)] if people else paths
-    rows: list[Row] = evaluate_people(people, out, shown=shown, progress=progress, told=told) if people else []
+    rows: list[Row] = evaluate_people(people, out, shown=shown, progress=progress, report=report) if people else []
     rows += _evaluate_sets(paths, sets, out, progress, seed) if paths or not people else []
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)

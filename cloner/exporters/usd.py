@@ -77,8 +77,8 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = id
 
 def jpeg_with_comment(jpeg: bytes, text: str) -> bytes:
     """Return a JPEG with a comment segment at its beginning."""
-    told = text.encode()
-    return jpeg[:2] + b"\xff\xfe" + (len(told) + 2).to_bytes(2, "big") + told + jpeg[2:]
+    comment = text.encode()
+    return jpeg[:2] + b"\xff\xfe" + (len(comment) + 2).to_bytes(2, "big") + comment + jpeg[2:]
 
 
 def usd_library() -> Any:

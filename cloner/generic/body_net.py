@@ -158,12 +158,12 @@ def net_points(proposal: Proposal, side_shown: str, *, without: Collection[str] 
         if not proposal.pose_visibility.any()
         else [*_pose_net_rows(proposal, side_shown), *_label_net_rows(proposal, side_shown)]
     )
-    told = [row for row in rows if row.corrected_as not in without]
+    given = [row for row in rows if row.corrected_as not in without]
     return NetPoints(
-        np.array([row.point_px for row in told]).reshape(-1, 2),
-        tuple(row.base for row in told),
-        np.array([row.offset for row in told]).reshape(-1, 3),
-        np.array([row.sigma for row in told]),
+        np.array([row.point_px for row in given]).reshape(-1, 2),
+        tuple(row.base for row in given),
+        np.array([row.offset for row in given]).reshape(-1, 3),
+        np.array([row.sigma for row in given]),
     )
 
 

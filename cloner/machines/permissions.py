@@ -42,8 +42,8 @@ def _open_to_others(name: str, folder: Path, files: list[Path], *, closed: bool)
     read, written = (sum(bool(mode & bits) for mode in modes) for bits in (_READ, _WRITE))
     if closed or not (read or written):
         return Finding(f"{name}: who reads it", True, "its owner alone")
-    told = f"other users may read {read} and change {written} of {len(modes)} files and folders"
-    return Finding(f"{name}: who reads it", False, told, f"chmod -R go= {shlex.quote(str(folder))}", needed=False)
+    message = f"other users may read {read} and change {written} of {len(modes)} files and folders"
+    return Finding(f"{name}: who reads it", False, message, f"chmod -R go= {shlex.quote(str(folder))}", needed=False)
 
 
 def _of_others(name: str, folder: Path, files: list[Path]) -> Finding:
@@ -62,5 +62,5 @@ def _above(name: str, place: Path) -> Iterator[Finding]:
         mode = parent.stat().st_mode
         if mode & _WRITE and not mode & stat.S_ISVTX:
             fix = f"chmod go-w {shlex.quote(str(parent))}"
-            told = f"other users may move it away: they may write in {parent.name or parent}"
-            yield Finding(f"{name}: what lies above", False, told, fix, needed=False)
+            message = f"other users may move it away: they may write in {parent.name or parent}"
+            yield Finding(f"{name}: what lies above", False, message, fix, needed=False)

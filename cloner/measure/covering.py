@@ -52,24 +52,24 @@ def find_covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
     if not np.isfinite(bare).any():
         return {}
     shares = {name: _slices(generic, name, bare) for name in generic.segment_names if name != "head"}
-    told: dict[str, Cover] = {}
+    data: dict[str, Cover] = {}
     for (near, distal), garment in LIMBS.items():
         known = shares[garment][~np.isnan(shares[garment])]
         cloth = 1.0 - float(known.mean()) if len(known) else 0.0
-        told[garment] = Cover((True,) * SLICES, cloth)
+        data[garment] = Cover((True,) * SLICES, cloth)
         for side in ("left", "right"):
             names = (f"{side}_{near}", f"{side}_{distal}")
             row = np.concatenate([shares[name] for name in names])
             covered = covered_slices(row)
             clear = float(np.nanmean(np.abs(2.0 * row - 1.0))) if np.isfinite(row).any() else 0.0
             for place, name in enumerate(names):
-                told[name] = Cover(tuple(covered[place * SLICES : (place + 1) * SLICES]), min(clear, cloth))
-    told["neck"] = _whole(bare[generic.region("neck")])
+                data[name] = Cover(tuple(covered[place * SLICES : (place + 1) * SLICES]), min(clear, cloth))
+    data["neck"] = _whole(bare[generic.region("neck")])
     for side in ("left", "right"):
         for part in ("hand", "foot"):
             segment = generic.segment(f"{side}_{part}")
-            told[f"{side}_{part}"] = _whole(bare[segment])
-    return {name: cover for name, cover in told.items() if any(slice_ is not None for slice_ in cover.covered)}
+            data[f"{side}_{part}"] = _whole(bare[segment])
+    return {name: cover for name, cover in data.items() if any(slice_ is not None for slice_ in cover.covered)}
 
 
 def covered_slices(share: Array) -> list[bool | None]:
@@ -101,9 +101,9 @@ def _bare_skin(generic: GenericHuman, proposals: Proposals, joined: Joined) -> A
         if view.is_face or view not in proposals.views:
             continue
         rows, cosine, labels = _seen_labels(generic, proposals.views[view].labels, joined, posed)
-        told = np.isin(labels, (*SKINS, *CLOTHES)) & (cosine > best[rows])
-        seen[rows[told]] = np.isin(labels[told], SKINS)
-        best[rows[told]] = cosine[told]
+        labelled = np.isin(labels, (*SKINS, *CLOTHES)) & (cosine > best[rows])
+        seen[rows[labelled]] = np.isin(labels[labelled], SKINS)
+        best[rows[labelled]] = cosine[labelled]
     return seen
 
 

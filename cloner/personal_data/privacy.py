@@ -94,8 +94,8 @@ def forget_all(held: Sequence[Holding], photos_root: Path | None, out: Path | No
                 raise _busy(holding)
         left = [one for holding in held for one in _delete(holding, roots, out)]
         left += [*_delete_rests(roots), *_delete_films(roots, traces)]
-    told = {one.partition(" (")[0] for one in left}
-    left += [one for one in left_of(traces, roots) if one not in told]
+    left_names = {one.partition(" (")[0] for one in left}
+    left += [one for one in left_of(traces, roots) if one not in left_names]
     return tuple(dict.fromkeys(left))
 
 
@@ -188,14 +188,14 @@ def _forget_lines(path: Path, names: Iterable[str]) -> Iterator[str]:
 
     A link is left alone: what it leads to is somebody else's; so is what is no file.
     """
-    told = re.compile("|".join(rf"(?<![\w.-]){re.escape(name)}(?![\w-])" for name in names))
+    pattern = re.compile("|".join(rf"(?<![\w.-]){re.escape(name)}(?![\w-])" for name in names))
     try:
         if not stat.S_ISREG(path.lstat().st_mode):
             return
         descriptor = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
         with os.fdopen(descriptor, "r+", encoding="utf-8", errors="surrogateescape") as stream:
             lines = stream.readlines()
-            kept = [line for line in lines if not told.search(line)]
+            kept = [line for line in lines if not pattern.search(line)]
             if len(kept) < len(lines):
                 stream.seek(0)
                 stream.writelines(kept)
@@ -235,13 +235,13 @@ def _forget_rows(out: Path, names: Iterable[str]) -> Iterator[str]:
     gone = set(names)
     for path in out.glob(_SUMMARIES):
         try:
-            told: dict[str, Any] = json.loads(read_untrusted(path, LARGEST_BYTES))
-            rows = [BatchRow(**row) for row in told["rows"]]
+            data: dict[str, Any] = json.loads(read_untrusted(path, LARGEST_BYTES))
+            rows = [BatchRow(**row) for row in data["rows"]]
         except (OSError, ValueError, LookupError, TypeError):
             continue  # no summary of ours; the search afterwards tells whether it speaks of the visitor
         kept = [row for row in rows if row.identifier not in gone]
         if len(kept) != len(rows):
             try:
-                write_summary(kept, int(told["visitors"]) - 1, out, path.stem)
+                write_summary(kept, int(data["visitors"]) - 1, out, path.stem)
             except ClonerError as error:
                 yield f"{path.name} ({error.message})"

@@ -137,10 +137,10 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
 
 def _terms(facts: dict[str, Any]) -> Terms:
     """Return the terms of a file's facts; older files have none."""
-    told = facts.get("terms", {"licence": LICENCES[0] if facts.get("consent") is True else ""})
-    if not all(isinstance(value, str) and len(value) <= LONGEST_TERM for value in told.values()):
+    terms = facts.get("terms", {"licence": LICENCES[0] if facts.get("consent") is True else ""})
+    if not all(isinstance(value, str) and len(value) <= LONGEST_TERM for value in terms.values()):
         raise ValueError("its terms are no short texts")
-    return Terms(**told)
+    return Terms(**terms)
 
 
 def _check_fits(clone: Clone) -> None:

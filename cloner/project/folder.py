@@ -76,8 +76,8 @@ def view_files(folder: Path) -> dict[ViewId, Path]:
         if not path.is_file():
             if not os.path.lexists(path):
                 continue  # moved away while the folder was read
-            told = "this is no photo but a folder, a pipe or the like"
-            raise ClonerError(told, "Put the photo itself there", path.name)
+            sentence = "this is no photo but a folder, a pipe or the like"
+            raise ClonerError(sentence, "Put the photo itself there", path.name)
         found[view] = path
     return {view: found[view] for view in ViewId if view in found}
 
@@ -214,12 +214,12 @@ def photo_warnings(photos: PhotoSet) -> tuple[str, ...]:
     """Return warnings about missing body photos; the head stage warns about the face's."""
     if not photos.body_views:
         return ("There is no body photo: the body is the generic one of a matching build, its colours a guess",)
-    told = {
+    data = {
         ViewId.BODY_FRONT: "There is no front photo of the body: its front is seen by the face photo alone",
         ViewId.BODY_SIDE: "There is no side photo of the body: its depths are those of a usual body of this shape",
         ViewId.BODY_BACK: "There is no back photo of the body: its back is coloured from what the other photos show",
     }
-    return tuple(text for view, text in told.items() if view not in photos.photos)
+    return tuple(text for view, text in data.items() if view not in photos.photos)
 
 
 def read_corrections(folder: Path) -> Corrections:
@@ -285,7 +285,7 @@ def _checked_height(value: Any, where: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ClonerError("the height must be a number of centimetres", "Write height_cm = 172", where)
     if not SMALLEST_HEIGHT_CM <= value <= LARGEST_HEIGHT_CM:  # also refuses nan
-        told = f"{value:g}" if not abs(value) >= LARGEST_TOLD else "ever so many"
-        message = f"a height of {told} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
+        sentence = f"{value:g}" if not abs(value) >= LARGEST_TOLD else "ever so many"
+        message = f"a height of {sentence} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
         raise ClonerError(message, "Give the barefoot height in centimetres", where)
     return float(value)

@@ -133,13 +133,13 @@ def _visitor(row: Mapping[Any, Any], number: int, path: Path) -> Visitor:
     if unknown:
         named = ", ".join(sorted(map(str, unknown)))
         raise ClonerError(f"unknown column {named}", f"The columns are {', '.join(sorted(_KEYS))}", where)
-    told = str(row.get("photos") or "").strip()
+    photos = str(row.get("photos") or "").strip()
     base = path.parent.resolve()
     try:
-        folder = (base / told).resolve()
+        folder = (base / photos).resolve()
     except (OSError, ValueError) as error:
         raise ClonerError("the photos' folder has no usable name", "Rename it", where) from error
-    if not told or not folder.is_relative_to(base):
+    if not photos or not folder.is_relative_to(base):
         raise ClonerError("the photos must lie beside or below the manifest", "Move them there", where)
     height = row.get("height_cm")
     try:

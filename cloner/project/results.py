@@ -56,13 +56,13 @@ def read_manifest(folder: Path) -> Manifest | None:
     if folder.is_symlink():
         return None
     try:
-        told = json.loads(read_text(folder / RESULT_MARK))
-        stamp = dict(told["stamp"])
+        data = json.loads(read_text(folder / RESULT_MARK))
+        stamp = dict(data["stamp"])
         inputs = {**stamp.get("photos", {}), **stamp.get("beside", {})}
-        outputs = {str(name): str(digest) for name, digest in told["outputs"].items()}
-        if told.get("format", 0) < _PAGE_LISTED:
+        outputs = {str(name): str(digest) for name, digest in data["outputs"].items()}
+        if data.get("format", 0) < _PAGE_LISTED:
             outputs.setdefault(_PAGE, "")
-        source = str(told.get("source", ""))
+        source = str(data.get("source", ""))
     except (ClonerError, OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return None
     return Manifest(outputs, {str(name): str(digest) for name, digest in inputs.items()}, source, stamp)

@@ -63,13 +63,13 @@ def _checked_cm(name: str, key: str, value: Any, stature_m: float, where: str) -
     usual = _usual_cm(key, stature_m)
     if LEAST * usual <= value <= MOST * usual:
         return float(value)
-    told = (
+    message = (
         f"{value:g} cm cannot be the {name} of a person of {mm_from_m(stature_m) / MILLIMETRES_PER_CENTIMETRE:.0f} cm"
     )
     for unit, factor in OTHER_UNITS.items():
         if LEAST * usual <= value * factor <= MOST * usual:
-            raise ClonerError(told, f"It looks like {unit}; write {name} = {value * factor:.1f}", where)
-    raise ClonerError(told, f"Measure again; about {usual:.0f} cm is usual", where)
+            raise ClonerError(message, f"It looks like {unit}; write {name} = {value * factor:.1f}", where)
+    raise ClonerError(message, f"Measure again; about {usual:.0f} cm is usual", where)
 
 
 def _usual_cm(key: str, stature_m: float) -> float:

@@ -40,8 +40,8 @@ def check_format(value: Any, newest: int, where: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int) or value < 1:
         raise ClonerError('"format" must be a whole number', f"Write format = {newest}, as this version does", where)
     if value > newest:
-        told = f"it was written by a newer version of Cloner (format {value}, this one knows {newest})"
-        raise ClonerError(told, "Update Cloner, or move the file away", where)
+        message = f"it was written by a newer version of Cloner (format {value}, this one knows {newest})"
+        raise ClonerError(message, "Update Cloner, or move the file away", where)
     return value
 
 

@@ -38,8 +38,8 @@ def save_values(values: Mapping[str, object], path: Path) -> None:
         If a value is of another kind.
     """
     arrays: dict[int, NDArray[Any]] = {}
-    told = {"format": FORMAT, "values": _to_json(dict(values), arrays)}
-    text = np.frombuffer(json.dumps(told).encode(), dtype=np.uint8)
+    data = {"format": FORMAT, "values": _to_json(dict(values), arrays)}
+    text = np.frombuffer(json.dumps(data).encode(), dtype=np.uint8)
     try:
         path.parent.mkdir(exist_ok=True)
         with atomic_path(path) as temporary, temporary.open("wb") as stream:
@@ -57,8 +57,8 @@ def load_values(path: Path) -> dict[str, Any]:
     try:
         with open_archive(path, LARGEST_BYTES) as archive:
             arrays = [archive[f"a{number}"] for number in range(len(archive.files) - 1)]
-            told = json.loads(archive[_SKELETON].tobytes())
-        return dict(_from_json(told["values"], arrays)) if told["format"] == FORMAT else {}
+            data = json.loads(archive[_SKELETON].tobytes())
+        return dict(_from_json(data["values"], arrays)) if data["format"] == FORMAT else {}
     except (*BROKEN, ImportError):
         return {}
 
@@ -84,20 +84,20 @@ def _to_json(value: Any, arrays: dict[int, NDArray[Any]]) -> Any:
     raise TypeError(f"a {type(value).__name__} cannot be kept")
 
 
-def _from_json(told: Any, arrays: list[NDArray[Any]]) -> Any:
+def _from_json(data: Any, arrays: list[NDArray[Any]]) -> Any:
     """Return the value of its JSON."""
-    if not isinstance(told, dict):
-        return told
-    if "array" in told:
-        return arrays[told["array"]]
-    if "tuple" in told:
-        return tuple(_from_json(one, arrays) for one in told["tuple"])
-    if "map" in told:
-        return {_from_json(key, arrays): _from_json(one, arrays) for key, one in told["map"]}
-    if "enum" in told:
-        return _class(told["enum"], Enum)(told["value"])
-    kind = _class(told["record"], None)
-    return kind(**{name: _from_json(one, arrays) for name, one in told["fields"].items()})
+    if not isinstance(data, dict):
+        return data
+    if "array" in data:
+        return arrays[data["array"]]
+    if "tuple" in data:
+        return tuple(_from_json(one, arrays) for one in data["tuple"])
+    if "map" in data:
+        return {_from_json(key, arrays): _from_json(one, arrays) for key, one in data["map"]}
+    if "enum" in data:
+        return _class(data["enum"], Enum)(data["value"])
+    kind = _class(data["record"], None)
+    return kind(**{name: _from_json(one, arrays) for name, one in data["fields"].items()})
 
 
 def _name(kind: type) -> str:

@@ -35,9 +35,9 @@ def write_summary(rows: Sequence[BatchRow], wanted: int, out: Path, name: str = 
     ClonerError
         If the folder cannot be written to.
     """
-    told: dict[str, Any] = {"format": 1, "visitors": wanted, "rows": [asdict(row) for row in rows]}
+    data: dict[str, Any] = {"format": 1, "visitors": wanted, "rows": [asdict(row) for row in rows]}
     texts = {
-        "json": json.dumps(told, indent=1, ensure_ascii=False) + "\n",
+        "json": json.dumps(data, indent=1, ensure_ascii=False) + "\n",
         "csv": _table(rows),
         "html": _sheet(rows, wanted, out),
     }

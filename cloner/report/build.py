@@ -112,8 +112,8 @@ def build_report(
 
 def _weak(values: Mapping[str, Any], seen: Mapping[ViewId, PhotoAgreement]) -> tuple[str, ...]:
     """Return what is weak in the clone because of its photos."""
-    told = photo_weaknesses(values["photos"], values["proposals"], seen)
-    return *told, *pose_warnings(values["clone"], values["proposals"])
+    weaknesses = photo_weaknesses(values["photos"], values["proposals"], seen)
+    return *weaknesses, *pose_warnings(values["clone"], values["proposals"])
 
 
 def warnings_of(run: Run) -> tuple[str, ...]:
@@ -184,11 +184,11 @@ def _sides(views: ViewSet, head: HeadFit) -> dict[str, str | None]:
 
 
 def _features(body: PointSet, face: PointSet) -> dict[str, Any]:
-    told: dict[str, Any] = {}
+    data: dict[str, Any] = {}
     for points in (body, face):
         for view, named in points.views.items():
             rows = zip(named.names, named.points_px, named.confidence, named.corrected, strict=True)
-            told.setdefault(view, {}).update(
+            data.setdefault(view, {}).update(
                 {
                     name: {
                         "x_px": round(float(point[0]), 2),
@@ -200,7 +200,7 @@ def _features(body: PointSet, face: PointSet) -> dict[str, Any]:
                     for name, point, confidence, corrected in rows
                 }
             )
-    return told
+    return data
 
 
 def _obeyed(point: ObeyedPoint) -> dict[str, Any]:

@@ -57,16 +57,16 @@ def clothes_words(measures: MeasureSet) -> tuple[str, ...]:
     """Return sentences about the clothes: their fit, and what is bare."""
     if not measures.upper_fit:
         return ()
-    told = [
+    sentences = [
         f"Clothes above the waist look {_fit(measures.upper_fit)}, below it {_fit(measures.lower_fit)}.",
     ]
     bare = [words for name, words in _PLACES.items() if _shares(measures.covers, name, most=0.1)]
     partly = [words for name, words in _PLACES.items() if _shares(measures.covers, name, most=0.9, least=0.1)]
     if bare:
-        told.append(f"Bare skin: {_listed(bare)}.")
+        sentences.append(f"Bare skin: {_listed(bare)}.")
     if partly:
-        told.append(f"Partly bare: {_listed(partly)}.")
-    return (*told, *_taped_words(measures))
+        sentences.append(f"Partly bare: {_listed(partly)}.")
+    return (*sentences, *_taped_words(measures))
 
 
 def _taped_words(measures: MeasureSet) -> list[str]:

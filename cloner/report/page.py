@@ -167,11 +167,11 @@ def _body(report: Mapping[str, Any]) -> str:
         f"{words_of(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None
     ]
     shown = f"<p>{escape('; '.join(sides))}.</p>" if sides else ""
-    told = "".join(f"<p>{escape(text)}</p>" for text in (*measures["clothes"]["words"], measures["note"]))
+    paragraphs = "".join(f"<p>{escape(text)}</p>" for text in (*measures["clothes"]["words"], measures["note"]))
     tables = table_of(head, girths, caption="Girths") + folded(
         "Heights and lengths", table_of(head, lengths, caption="")
     )
-    return f"<h2>Measures</h2>{tables}{told}{shown}"
+    return f"<h2>Measures</h2>{tables}{paragraphs}{shown}"
 
 
 def _measure_row(name: str, measure: Mapping[str, Any]) -> tuple[str, ...]:

@@ -27,11 +27,11 @@ _STRAIGHT: Final[Mapping[ViewId, float]] = {ViewId.FACE_FRONT: 0.0, ViewId.FACE_
 
 def pose_warnings(clone: Clone, proposals: Proposals) -> tuple[str, ...]:
     """Return sentences about photos in which the clone's pose differs from the person's."""
-    told = [*_turned(clone)]
+    warnings = [*_turned(clone)]
     side = clone.views.get(ViewId.BODY_SIDE)
     if side is not None and ViewId.BODY_SIDE in proposals.views:
-        told += _arms(clone, side, proposals.views[ViewId.BODY_SIDE])
-    return tuple(told)
+        warnings += _arms(clone, side, proposals.views[ViewId.BODY_SIDE])
+    return tuple(warnings)
 
 
 def _turned(clone: Clone) -> Iterator[str]:

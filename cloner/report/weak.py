@@ -37,44 +37,44 @@ def photo_weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewI
     seen : mapping
         How well the finished clone covers the outline in each photo.
     """
-    told: list[str] = []
+    weaknesses: list[str] = []
     for view, photo in photos.photos.items():
         if view in proposals.left_out:
-            told.append(f"{view}: {proposals.left_out[view]}")
+            weaknesses.append(f"{view}: {proposals.left_out[view]}")
         if is_grey(photo):
-            told.append(f"{view}: the photo has no colours, so what only it shows stays grey")
+            weaknesses.append(f"{view}: the photo has no colours, so what only it shows stays grey")
     if not {ViewId.FACE_SIDE, ViewId.BODY_SIDE, ViewId.BODY_BACK} & set(photos.photos):
-        told.append("No photo shows the head from the side or behind: the hair there is a guess")
+        weaknesses.append("No photo shows the head from the side or behind: the hair there is a guess")
     face = proposals.views.get(ViewId.FACE_FRONT)
     if face is not None and face.face_presence > 0.0:
-        told += _face(face)
-        told += _covered_face(read_states({face.view: face.labels}, face.face_px))
+        weaknesses += _face(face)
+        weaknesses += _covered_face(read_states({face.view: face.labels}, face.face_px))
     for view, found in seen.items():
         if view.is_body and found.iou < LEAST_OVERLAP:
-            told.append(f"{view}: the clone covers the person's outline only to {100 * found.iou:.0f} percent")
+            weaknesses.append(f"{view}: the clone covers the person's outline only to {100 * found.iou:.0f} percent")
         if view.is_face and found.iou < LEAST_HEAD_OVERLAP:
-            told.append(f"{view}: the clone covers the head's outline only to {100 * found.iou:.0f} percent")
-    return tuple(told)
+            weaknesses.append(f"{view}: the clone covers the head's outline only to {100 * found.iou:.0f} percent")
+    return tuple(weaknesses)
 
 
 def _covered_face(states: frozenset[State]) -> list[str]:
     """Return sentences about what covers the face or the hair."""
-    told = []
+    weaknesses = []
     if State.GLASSES in states:
-        told.append(
+        weaknesses.append(
             f"{ViewId.FACE_FRONT}: the glasses became an object of their own and the skin behind their frame is a "
             "guess; take the face photos without glasses if you can"
         )
     if State.HEADWEAR in states:
-        told.append(
+        weaknesses.append(
             f"{ViewId.FACE_FRONT}: headwear hides the hair and becomes part of the head; take it off if you can"
         )
     if State.FRINGE in states:
-        told.append(
+        weaknesses.append(
             f"{ViewId.FACE_FRONT}: hair hides an eye, so what lies behind it is a guess; retake the face photos with "
             "the hair away from the face"
         )
-    return told
+    return weaknesses
 
 
 def group_warnings(warnings: Iterable[str]) -> tuple[str, ...]:
@@ -99,12 +99,16 @@ def _face(proposal: Proposal) -> list[str]:
     """Return what is weak in the face photo."""
     points = proposal.face_px
     eyes = _apart(points, _EYES)
-    told = []
+    weaknesses = []
     if eyes < LEAST_EYES_PX:
-        told.append(f"The face is small in its photo ({eyes:.0f} pixels between the eyes' corners): it stays soft")
+        weaknesses.append(
+            f"The face is small in its photo ({eyes:.0f} pixels between the eyes' corners): it stays soft"
+        )
     if open_lip_borders(points) is not None:
-        told.append("The mouth is open in the face photo: the clone's lips are closed, their inner borders a guess")
-    return told
+        weaknesses.append(
+            "The mouth is open in the face photo: the clone's lips are closed, their inner borders a guess"
+        )
+    return weaknesses
 
 
 def _apart(points: Any, pair: tuple[int, int]) -> float:

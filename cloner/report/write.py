@@ -12,9 +12,9 @@ from cloner.report.page import page
 
 def write_report(report: Mapping[str, Any], folder: Path) -> Path:
     """Write ``report.json``, the manifest of a result, into its folder and return the path; the last file of all."""
-    told = folder / "report.json"
-    told.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
-    return told
+    path = folder / "report.json"
+    path.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+    return path
 
 
 def write_page(report: Mapping[str, Any], folder: Path) -> Path:

@@ -80,14 +80,14 @@ def film_file(
         raise ClonerError("nobody in the pack can speak", hint, "the film")
     said = read_voices(film, source.parent)
     acted, staging = compile_film(film, read_stock(pack, facts), facts["people"], progress)
-    told = {"title": film.title, "seconds": film.seconds, "size_px": list(film.size_px), "rate_hz": film.rate_hz}
+    data = {"title": film.title, "seconds": film.seconds, "size_px": list(film.size_px), "rate_hz": film.rate_hz}
     lines = [
         f"{film.title or source.stem}: {film.seconds:g} s, {len(film.actors)} actors, {len(staging['shots'])} shots"
     ]
     with tempfile.TemporaryDirectory() as folder:
         staged = page if page is not None else Path(folder) / "staged"
         write_acted(
-            pack, facts, staged, acted, film.seconds, page_views(built.plan), parts, staging | {"film": told},
+            pack, facts, staged, acted, film.seconds, page_views(built.plan), parts, staging | {"film": data},
             spoken=said[0] if said else None,
         )  # fmt: skip
         if out is not None:
@@ -104,22 +104,22 @@ def _draw(
 ) -> None:
     """Render a staged pack's film into a file, or into a folder of pictures, with its speech."""
     facts = read_facts(pack)
-    told = facts["staging"]["film"]
+    data = facts["staging"]["film"]
     acted, staging = read_acted(pack, facts), read_staging(facts)
     sound = None
     if staging:
-        sources = [*(voices.sources() if voices else ()), *footsteps(acted, staging, told["seconds"])]
-        sound = mix_stereo(sources, told["seconds"], _ear(staging, acted), echo) if sources else None
+        sources = [*(voices.sources() if voices else ()), *footsteps(acted, staging, data["seconds"])]
+        sound = mix_stereo(sources, data["seconds"], _ear(staging, acted), echo) if sources else None
     theatre = CrowdRenderer(read_stock(pack, facts))
     try:
         painter = ScenePainter(
-            theatre, facts, acted, tuple(told["size_px"]), read_room(pack, facts), staging, read_spoken(pack, facts)
+            theatre, facts, acted, tuple(data["size_px"]), read_room(pack, facts), staging, read_spoken(pack, facts)
         )
-        pictures = _pictures(painter, told, progress)
+        pictures = _pictures(painter, data, progress)
         if out.suffix.lower() in FORMATS:
             with atomic_file(out) as temporary:
                 out.parent.mkdir(parents=True, exist_ok=True)
-                write_film(pictures, told["rate_hz"], temporary, film_tokens(facts["people"]), sound, RATE_HZ)
+                write_film(pictures, data["rate_hz"], temporary, film_tokens(facts["people"]), sound, RATE_HZ)
         else:
             with result_folder(out.parent, out.name) as folder:
                 for number, shown in enumerate(pictures, start=1):
@@ -145,8 +145,8 @@ def _ear(staging: Staging, acted: Acted) -> Ear:
     return ear
 
 
-def _pictures(painter: ScenePainter, told: dict[str, Any], progress: Progress) -> Iterator[Pixels]:
-    count = max(round(told["seconds"] * told["rate_hz"]), 1)
+def _pictures(painter: ScenePainter, data: dict[str, Any], progress: Progress) -> Iterator[Pixels]:
+    count = max(round(data["seconds"] * data["rate_hz"]), 1)
     for k in range(count):
-        yield painter.film_picture(k / told["rate_hz"])
+        yield painter.film_picture(k / data["rate_hz"])
         progress("pictures", (k + 1) / count)

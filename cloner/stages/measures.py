@@ -111,17 +111,17 @@ def _hidden_waist(hidden: NDArray[np.bool_]) -> tuple[str, ...]:
 
 def _unlikely_tapes(photos_say: BodyEstimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:
     """Return a sentence for every tape measure that the photos make unlikely."""
-    told = []
+    warnings = []
     for key, tape in person.tape_mm:
         row = ALL_KEYS.index(key)
         seen = float(photos_say.mm[row])
         half = float(np.hypot(prior.spread[row] * photos_say.deviation_mm[row], share * seen))
         if abs(tape - seen) > STRANGE * np.hypot(half, TAPE_ERROR_MM):
-            told.append(
+            warnings.append(
                 f"The tape says {tape / 10:.1f} cm for {key} ({BY_KEY[key].words}), the photos say "
                 f"{seen / 10:.1f} ± {half / 10:.1f}: measure again, or check the height and the photos"
             )
-    return tuple(told)
+    return tuple(warnings)
 
 
 def measures_of_mesh(shown_mm: Mapping[str, float]) -> MeasureSet:
@@ -145,16 +145,16 @@ def run(
         shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
         return StageResult({"measures": measures_of_mesh(shown)})
     tick(0.4)
-    told = gather_measures(joined, body.mesh, outlined, silhouettes, proposals)
+    measured = gather_measures(joined, body.mesh, outlined, silhouettes, proposals)
     tick(0.7)
-    hidden_keys = LOOSE_KEYS if told.around_legs else frozenset()
+    hidden_keys = LOOSE_KEYS if measured.around_legs else frozenset()
     found, warnings = estimate_measures(
-        {key: value for key, value in told.shown_mm.items() if key not in hidden_keys},
+        {key: value for key, value in measured.shown_mm.items() if key not in hidden_keys},
         person,
-        told.cover,
-        noise=max(1.0, told.gap_mm / load_measure_prior().gap_mm),
-        rumple_mm=told.rumple_mm,
-        hidden=told.hidden,
-        under_mm=told.under_mm,
+        measured.cover,
+        noise=max(1.0, measured.gap_mm / load_measure_prior().gap_mm),
+        rumple_mm=measured.rumple_mm,
+        hidden=measured.hidden,
+        under_mm=measured.under_mm,
     )
-    return StageResult({"measures": found}, (Residual("gap of the body's rim", told.gap_mm, "mm"),), warnings)
+    return StageResult({"measures": found}, (Residual("gap of the body's rim", measured.gap_mm, "mm"),), warnings)

@@ -144,8 +144,8 @@ def run(
     return StageResult(values, residuals, warnings_of(told))
 
 
-def warnings_of(told: tuple[ObeyedPoint, ...]) -> tuple[str, ...]:
+def warnings_of(points: tuple[ObeyedPoint, ...]) -> tuple[str, ...]:
     """Return a sentence for every corrected point that could not be met."""
     return tuple(
-        f"{one.view}: the corrected point {one.name} could not be obeyed: {one.note}" for one in told if one.is_missed
+        f"{one.view}: the corrected point {one.name} could not be obeyed: {one.note}" for one in points if one.is_missed
     )

@@ -83,8 +83,8 @@ def run(
     generic = load_generic()
     labels, sure = label_triangles(generic, painted, surfaces, params)
     tick(1.0)
-    told = Residual("regions_sure", 100.0 * sure, "percent")
-    return StageResult({"clone": replace(painted, triangle_regions=labels)}, (told,))
+    residual = Residual("regions_sure", 100.0 * sure, "percent")
+    return StageResult({"clone": replace(painted, triangle_regions=labels)}, (residual,))
 
 
 def label_triangles(

@@ -109,23 +109,23 @@ def read_blobs(path: Path) -> tuple[Blob, ...]:
     ClonerError
         If it cannot be read or makes no sense.
     """
-    told = read_listed(path, "blobs", FORMAT, _HINT, also=("made_by",))
-    if not 1 <= len(told) <= MOST:
-        raise ClonerError(f"a body has 1 to {MOST} blobs, not {len(told)}", _HINT, path.name)
-    return tuple(_blob(one, number, path.name) for number, one in enumerate(told, start=1))
+    data = read_listed(path, "blobs", FORMAT, _HINT, also=("made_by",))
+    if not 1 <= len(data) <= MOST:
+        raise ClonerError(f"a body has 1 to {MOST} blobs, not {len(data)}", _HINT, path.name)
+    return tuple(_blob(one, number, path.name) for number, one in enumerate(data, start=1))
 
 
 def written_blobs(blobs: Sequence[Blob], made_by: str) -> str:
     """Return the JSON text of blobs, one a line, to a tenth of a millimetre; and whose body it is."""
     rows = []
     for blob in blobs:
-        told: dict[str, Any] = {"name": blob.name, "from": blob.ends[0]}
+        data: dict[str, Any] = {"name": blob.name, "from": blob.ends[0]}
         if len(blob.ends) == 2:
-            told["to"] = blob.ends[1]
-        told["radius_m"] = [round(each, 4) for each in blob.radius_m]
-        told["off_m"] = [[round(each, 4) for each in off] for off in blob.off_m]
-        told["wide"] = [round(each, 3) for each in blob.wide]
-        rows.append(json.dumps(told))
+            data["to"] = blob.ends[1]
+        data["radius_m"] = [round(each, 4) for each in blob.radius_m]
+        data["off_m"] = [[round(each, 4) for each in off] for off in blob.off_m]
+        data["wide"] = [round(each, 3) for each in blob.wide]
+        rows.append(json.dumps(data))
     return f'{{"format": {FORMAT}, "made_by": {json.dumps(made_by)}, "blobs": [\n' + ",\n".join(rows) + "\n]}\n"
 
 

@@ -20,10 +20,10 @@ def read_listed(path: Path, key: str, newest: int, hint: str, also: Collection[s
         If it cannot be read, is something else, or that of a newer version.
     """
     try:
-        told: Any = json.loads(read_text(path))
+        data: Any = json.loads(read_text(path))
     except (ValueError, RecursionError) as error:
         raise ClonerError(f"the {key} are no JSON", hint, path.name) from error
-    if not isinstance(told, dict) or set(told) - set(also) != {"format", key} or not isinstance(told[key], list):
+    if not isinstance(data, dict) or set(data) - set(also) != {"format", key} or not isinstance(data[key], list):
         raise ClonerError(f"the file holds no list of {key}", hint, path.name)
-    check_format(told["format"], newest, path.name)
-    return list(told[key])
+    check_format(data["format"], newest, path.name)
+    return list(data[key])

@@ -81,10 +81,10 @@ def read_markers(path: Path) -> Markers:
     ClonerError
         If it cannot be read or makes no sense.
     """
-    told = read_listed(path, "markers", FORMAT, _HINT)
-    if len(told) > MOST:
-        raise ClonerError(f"{len(told)} markers are too many", f"Give at most {MOST}", path.name)
-    at, px = zip(*(_marker(one, path.name) for one in told), strict=True) if told else ((), ())
+    data = read_listed(path, "markers", FORMAT, _HINT)
+    if len(data) > MOST:
+        raise ClonerError(f"{len(data)} markers are too many", f"Give at most {MOST}", path.name)
+    at, px = zip(*(_marker(one, path.name) for one in data), strict=True) if data else ((), ())
     return Markers(at, np.array(px, np.float64).reshape(-1, 2))
 
 

@@ -189,7 +189,7 @@ def _manifest(made: Clone, material: str, source: Path | None, photo: Path, pict
 def _write_manifest(folder: Path, stamp: str, picture: Picture, photo: Path) -> None:
     """Write what a mesh of no clone was made from, as all results do."""
     files = [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]
-    told: dict[str, Any] = {
+    data: dict[str, Any] = {
         "format": FORMAT,
         "kind": "photo on a mesh",
         "made_by": stamp,
@@ -197,7 +197,7 @@ def _write_manifest(folder: Path, stamp: str, picture: Picture, photo: Path) -> 
         "stamp": {"cloner": cloner.__version__, "photos": {"photo": picture.digest}, "beside": {}, "options": {}},
         "outputs": output_digests(folder, files),
     }
-    write_report(told, folder)
+    write_report(data, folder)
 
 
 def _said(fit: Fit) -> tuple[str, ...]:

@@ -194,7 +194,7 @@ def test_an_unprotected_cluster_wants_to_be_asked_for_and_sees_no_names(
                 seen.update(other.run_on_scheduler(lambda dask_scheduler: [*dask_scheduler.tasks]))
                 seen.update(str(one) for one in other.get_task_stream())
 
-        rows = batch_folder(root, tmp_path / "out", BatchOptions(scheduler=place, unprotected=True), told=told)
+        rows = batch_folder(root, tmp_path / "out", BatchOptions(scheduler=place, unprotected=True), report=told)
         assert {row.status for row in rows} == {"cloned"}
         assert seen
         assert not [name for name in seen if "secret" in str(name)]

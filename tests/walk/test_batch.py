@@ -76,7 +76,7 @@ def test_visitors_are_the_folders_that_hold_photos(visitors: Path) -> None:
 
 def test_one_failure_does_not_stop_the_rest_and_all_is_told(visitors: Path, tmp_path: Path, cloned: list[str]) -> None:
     out, seen = tmp_path / "out", []
-    rows = batch_folder(visitors, out, told=lambda row, done, of: seen.append((row.identifier, done, of)))
+    rows = batch_folder(visitors, out, report=lambda row, done, of: seen.append((row.identifier, done, of)))
     assert statuses(rows) == [("anna", "cloned"), ("carl", "failed"), ("day-2-boris", "cloned")]
     assert seen == [("anna", 1, 3), ("carl", 2, 3), ("day-2-boris", 3, 3)]
     assert "body_front.jpg: no person found. Retake it" in rows[1].message
@@ -123,7 +123,7 @@ def test_stopping_keeps_the_rows_so_far(
             raise stop
 
     with pytest.raises(stop):
-        batch_folder(visitors, tmp_path / "out", told=told)
+        batch_folder(visitors, tmp_path / "out", report=told)
     rows = json.loads((tmp_path / "out" / "batch.json").read_text())
     assert [row["identifier"] for row in rows["rows"]] == ["anna", "carl"]
     assert rows["visitors"] == 3

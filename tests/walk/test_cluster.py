@@ -76,7 +76,7 @@ def test_two_clusters_give_what_one_process_gives_and_a_vanished_one_loses_nothi
             os.killpg(clusters[1].pid, signal.SIGKILL)
 
     with pytest.raises(ClonerError, match="scheduler has disappeared") as caught:
-        batch_folder(root, second, BatchOptions(scheduler=places[1], cluster_keys=keys), told=told)
+        batch_folder(root, second, BatchOptions(scheduler=places[1], cluster_keys=keys), report=told)
     assert "finished visitors are kept" in caught.value.hint
     assert 2 <= len(done) < len(NAMES)
     again = {

@@ -114,12 +114,12 @@ def _reason(problem: str) -> str:
     return (rest if colon else where).partition(". ")[0]
 
 
-def days_csv(told: tuple[Day, ...]) -> str:
+def days_csv(days: tuple[Day, ...]) -> str:
     """Return the days' statistics as CSV, one row per number."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(COLUMNS)
-    for day in told:
+    for day in days:
         rows = [
             ("visitors", "", str(day.visitors)),
             ("clones", "", str(day.clones)),

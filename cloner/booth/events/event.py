@@ -133,21 +133,21 @@ def read_event(folder: Path) -> Event:
     if not path.exists():
         return Event()
     try:
-        told = json.loads(read_untrusted(path, LARGEST_BYTES))
+        data = json.loads(read_untrusted(path, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError) as error:
         raise ClonerError("the event's settings cannot be read", _HINT, EVENT_FILE) from error
-    if not isinstance(told, dict) or "format" not in told:
+    if not isinstance(data, dict) or "format" not in data:
         raise ClonerError(f'it must be an object with "format": {FORMAT}', _HINT, EVENT_FILE)
-    if check_format(told.pop("format"), FORMAT, EVENT_FILE) == 1:
-        told = _upgraded(told)
-    for key, value in told.items():
+    if check_format(data.pop("format"), FORMAT, EVENT_FILE) == 1:
+        data = _upgraded(data)
+    for key, value in data.items():
         if key not in _USUAL:
             raise ClonerError(f"the key {key!r} is not known", _HINT, EVENT_FILE)
         if not _has_kind(key, value):
             raise ClonerError(f"{key} has a value of the wrong kind", _HINT, EVENT_FILE)
         if not _is_in_range(key, value):
             raise ClonerError("a setting is out of its range", _HINT, EVENT_FILE)
-    return _event(told)
+    return _event(data)
 
 
 def open_event(folder: Path) -> tuple[Event, str]:
@@ -159,8 +159,8 @@ def open_event(folder: Path) -> tuple[Event, str]:
         If they are of a newer version, or the folder cannot be written.
     """
     path = folder / EVENT_FILE
-    told = repair_file(path, lambda: read_event(folder), salvage_event, lambda left: write_event(folder, left))
-    return read_event(folder), told
+    message = repair_file(path, lambda: read_event(folder), salvage_event, lambda left: write_event(folder, left))
+    return read_event(folder), message
 
 
 def salvage_event(text: str) -> Event:
@@ -177,16 +177,16 @@ def salvage_event(text: str) -> Event:
     return _event({key: one for key, one in kept.items() if _has_kind(key, one) and _is_in_range(key, one)})
 
 
-def _upgraded(told: Mapping[str, Any]) -> dict[str, Any]:
+def _upgraded(data: Mapping[str, Any]) -> dict[str, Any]:
     """Return settings of format 1, which had one consent for all languages, in the current format."""
-    left = {key: value for key, value in told.items() if key != _OLD_CONSENT}
-    if told.get(_OLD_CONSENT):
-        left["consents"] = {str(told.get("language", Event().language)): told[_OLD_CONSENT]}
+    left = {key: value for key, value in data.items() if key != _OLD_CONSENT}
+    if data.get(_OLD_CONSENT):
+        left["consents"] = {str(data.get("language", Event().language)): data[_OLD_CONSENT]}
     return left
 
 
-def _event(told: Mapping[str, Any]) -> Event:
-    return Event(**{**told, "formats": tuple(told.get("formats", Event().formats))})
+def _event(data: Mapping[str, Any]) -> Event:
+    return Event(**{**data, "formats": tuple(data.get("formats", Event().formats))})
 
 
 def _has_kind(key: str, value: object) -> bool:
@@ -214,8 +214,8 @@ def write_event(folder: Path, event: Event) -> None:
     ClonerError
         If the folder cannot be written.
     """
-    told = {"format": FORMAT, **{one.name: getattr(event, one.name) for one in fields(event)}}
-    write_text(folder / EVENT_FILE, json.dumps(told, indent=1, ensure_ascii=False) + "\n")
+    data = {"format": FORMAT, **{one.name: getattr(event, one.name) for one in fields(event)}}
+    write_text(folder / EVENT_FILE, json.dumps(data, indent=1, ensure_ascii=False) + "\n")
 
 
 def is_visitor(folder: Path) -> bool:

@@ -20,10 +20,10 @@ MOST: Final = 5  # taste: a booth has one event a day
 def recent_events(file: Path) -> tuple[Path, ...]:
     """Return the recently opened events that still exist, the latest first; none if the file is damaged."""
     try:
-        told = json.loads(read_untrusted(file, LARGEST_BYTES))
+        data = json.loads(read_untrusted(file, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError):
         return ()
-    folders = [one for one in told if isinstance(one, str)] if isinstance(told, list) else []
+    folders = [one for one in data if isinstance(one, str)] if isinstance(data, list) else []
     return tuple(Path(folder) for folder in folders if os.path.isdir(folder))
 
 

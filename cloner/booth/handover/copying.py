@@ -38,10 +38,10 @@ def copy_verified(source: Path, target: Path, progress: Progress) -> Path:
     with atomic_path(target) as room:
         files = [source] if source.is_file() else sorted(path for path in source.rglob("*") if path.is_file())
         pairs = [(path, room / path.relative_to(source)) for path in files]
-        told = _ByteProgress(progress, 2 * sum(path.stat().st_size for path in files))
-        digests = [_copy(one, other, told.on("copy")) for one, other in pairs]
+        bytes_done = _ByteProgress(progress, 2 * sum(path.stat().st_size for path in files))
+        digests = [_copy(one, other, bytes_done.on("copy")) for one, other in pairs]
         for (_, other), digest in zip(pairs, digests, strict=True):
-            if _read_back(other, told.on("verify")) != digest:
+            if _read_back(other, bytes_done.on("verify")) != digest:
                 hint = "Use another stick: this one loses what is written on it"
                 raise ClonerError("what was written there reads differently", hint, target.name)
     _write_through(target.parent)

@@ -59,13 +59,13 @@ def mounted_sticks() -> tuple[Stick, ...]:
         raise ClonerError("this system does not tell which sticks are plugged in", hint, "Stick")
     command = [program, "--json", "--bytes", "--output", _COLUMNS]
     try:
-        told = subprocess.run(command, capture_output=True, text=True, timeout=_LIST_S, check=True).stdout
-        return parse_lsblk(told)
+        output = subprocess.run(command, capture_output=True, text=True, timeout=_LIST_S, check=True).stdout
+        return parse_lsblk(output)
     except (OSError, subprocess.SubprocessError, ValueError) as error:
         raise ClonerError("this system does not tell which sticks are plugged in", hint, "Stick") from error
 
 
-def parse_lsblk(told: str) -> tuple[Stick, ...]:
+def parse_lsblk(output: str) -> tuple[Stick, ...]:
     """Return the sticks in the output of ``lsblk --json``.
 
     Raises
@@ -73,7 +73,7 @@ def parse_lsblk(told: str) -> tuple[Stick, ...]:
     ValueError
         If it is not that.
     """
-    read = json.loads(told)
+    read = json.loads(output)
     drives = read.get("blockdevices", []) if isinstance(read, dict) else []
     if not isinstance(drives, list):
         raise ValueError("blockdevices must be a list")

@@ -41,8 +41,8 @@ class Ticket:
 def read_ticket(folder: Path) -> Ticket | None:
     """Return a visitor's ticket, None if there is none or it cannot be read."""
     try:
-        told = json.loads(read_untrusted(folder / TICKET_FILE, LARGEST_BYTES))
-        ticket = Ticket(str(told["token"]), datetime.fromisoformat(told["expires"]))
+        data = json.loads(read_untrusted(folder / TICKET_FILE, LARGEST_BYTES))
+        ticket = Ticket(str(data["token"]), datetime.fromisoformat(data["expires"]))
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     return ticket if len(ticket.token) >= TOKEN_BYTES and ticket.expires.tzinfo is not None else None
@@ -60,8 +60,8 @@ def issue_ticket(folder: Path, now: datetime, hours: int) -> Ticket:
     if known is not None and now < known.expires:
         return known
     made = Ticket(secrets.token_urlsafe(TOKEN_BYTES), now + timedelta(hours=hours))
-    told = {"token": made.token, "expires": made.expires.isoformat(timespec="seconds")}
-    write_text(folder / TICKET_FILE, json.dumps(told) + "\n")
+    data = {"token": made.token, "expires": made.expires.isoformat(timespec="seconds")}
+    write_text(folder / TICKET_FILE, json.dumps(data) + "\n")
     return made
 
 

@@ -54,10 +54,10 @@ def write_note(root: Path, camera: Path, known: Sizes) -> None:
 def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
     """Return the record left by a window that crashed; None if there is none for this folder."""
     try:
-        told = json.loads(read_untrusted(root / NOTE_FILE, LARGEST_BYTES))
-        if told["folder"] != str(camera):
+        data = json.loads(read_untrusted(root / NOTE_FILE, LARGEST_BYTES))
+        if data["folder"] != str(camera):
             return None
-        return {camera / name: int(size) for name, size in told["known"].items()}
+        return {camera / name: int(size) for name, size in data["known"].items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         return None
 

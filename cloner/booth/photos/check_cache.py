@@ -20,17 +20,17 @@ LOOKS_FILE: Final = "looks.json"
 def read_checks(folder: Path) -> dict[str, PhotoCheck]:
     """Return cached checks by digest; missing, damaged or outdated ones are computed again."""
     try:
-        told = json.loads(read_untrusted(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
-        found = [_look(digest, one) for digest, one in told.items()]
+        data = json.loads(read_untrusted(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
+        found = [_look(digest, one) for digest, one in data.items()]
     except (OSError, ValueError, AttributeError, RecursionError):
         return {}
     return {look.digest: look for look in found if look is not None}
 
 
-def _look(digest: str, told: Mapping[str, object]) -> PhotoCheck | None:
+def _look(digest: str, data: Mapping[str, object]) -> PhotoCheck | None:
     """Return one photo's entry; None if it is not as :func:`store_check` writes it."""
     try:
-        view, troubles, passes = told["view"], told["troubles"], told["passes"]
+        view, troubles, passes = data["view"], data["troubles"], data["passes"]
         if not isinstance(troubles, list) or not isinstance(passes, list):
             return None
         views = frozenset(ViewId(one) for one in passes)
@@ -50,9 +50,9 @@ def store_check(folder: Path, look: PhotoCheck) -> None:
         If the folder cannot be written.
     """
     looks = {**read_checks(folder), look.digest: look}
-    told = {
+    data = {
         one.digest: {"view": one.view, "troubles": list(one.troubles), "passes": sorted(one.passes)}
         for one in looks.values()
     }
     (folder / WORK).mkdir(exist_ok=True)
-    write_text(folder / WORK / LOOKS_FILE, json.dumps(told, indent=1) + "\n")
+    write_text(folder / WORK / LOOKS_FILE, json.dumps(data, indent=1) + "\n")

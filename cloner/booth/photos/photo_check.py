@@ -59,8 +59,8 @@ def check_photo(photo: Photo, wanted: ViewId | None) -> tuple[PhotoCheck, Propos
     if shown is None:
         return PhotoCheck(photo.digest, None, (PhotoProblem.NO_VIEW,)), None
     own = _in_view(photo, first, shown)
-    told = PhotoCheck(photo.digest, shown, find_problems(photo.rgb, own), passes)
-    return told, own if wanted in (None, shown) else _in_view(photo, first, wanted)
+    check = PhotoCheck(photo.digest, shown, find_problems(photo.rgb, own), passes)
+    return check, own if wanted in (None, shown) else _in_view(photo, first, wanted)
 
 
 def _in_view(photo: Photo, first: Proposal, view: ViewId) -> Proposal:

@@ -121,8 +121,8 @@ class Tethered:
         return None
 
 
-def cameras_of(told: str) -> tuple[str, ...]:
+def cameras_of(output: str) -> tuple[str, ...]:
     """Return the models in the output of ``gphoto2 --auto-detect``: a heading, a line of dashes, then one per row."""
-    _, dashes, rows = told.partition("---")
+    _, dashes, rows = output.partition("---")
     lines = rows.splitlines()[1:] if dashes else []
     return tuple(line.rpartition("usb:")[0].strip() for line in lines if "usb:" in line)

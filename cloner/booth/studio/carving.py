@@ -92,10 +92,10 @@ class Carving:
         """Write the clone with a fitted photo; see `cloner.statues.photographed.photo_folder`."""
         whole, shown = read_picture(photo).original_size, read_picture(photo).rgb.shape[1]
         px = (markers.px + 0.5) * (whole[0] / shown) - 0.5  # the file tells places in the photo as it was taken
-        told = [{"at": at, "px": place} for at, place in zip(markers.at, px.tolist(), strict=True)]
+        data = [{"at": at, "px": place} for at, place in zip(markers.at, px.tolist(), strict=True)]
         with tempfile.TemporaryDirectory() as room:
             file = Path(room) / "markers.json"
-            file.write_text(json.dumps({"format": FORMAT, "markers": told}), encoding="utf-8")
+            file.write_text(json.dumps({"format": FORMAT, "markers": data}), encoding="utf-8")
             folder, _ = photo_folder(
                 photo, file, wish.out, wish.identifier, onto=onto, material=wish.material, formats=wish.formats,
                 texture_size=wish.texels, progress=progress,
@@ -143,8 +143,8 @@ def _seen(photo: Photo) -> dict[str, Array]:
     try:
         proposals = resolve_hidden(photos, {photo.view: propose(photo)}, {})
         stages = tuple(stage for stage in pipeline.STAGES if stage.name == "points")
-        told: dict[str, Any] = {"photos": photos, "proposals": proposals, "corrections": no_corrections()}
-        made: dict[str, Any] = dict(pipeline.run(told, stages=stages)[0])
+        data: dict[str, Any] = {"photos": photos, "proposals": proposals, "corrections": no_corrections()}
+        made: dict[str, Any] = dict(pipeline.run(data, stages=stages)[0])
     except ClonerError:
         return {}
     points = made["face_points"].views.get(photo.view)

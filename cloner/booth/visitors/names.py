@@ -58,9 +58,9 @@ class KnownNames:
         if known is None or known[0] != stamp:
             try:
                 text = read_untrusted(folder / PERSON_FILE, LARGEST_BYTES).decode("utf-8-sig")
-                told = tomllib.loads(text).get("name", "")
+                data = tomllib.loads(text).get("name", "")
             except (ClonerError, OSError, ValueError, RecursionError):
-                told = ""
-            name = told.strip() if isinstance(told, str) else ""
+                data = ""
+            name = data.strip() if isinstance(data, str) else ""
             known = self._known[folder] = (stamp, name)
         return known[1]

@@ -63,12 +63,12 @@ def write_person(
     """
     read_person(folder, height_cm)  # refuses absurd heights and malformed files
     path = folder / PERSON_FILE
-    told: dict[str, Any] = tomllib.loads(read_text(path)) if path.exists() else {}
-    told |= {"name": name, "height_cm": height_cm, "consent": consent, **agreed}
+    data: dict[str, Any] = tomllib.loads(read_text(path)) if path.exists() else {}
+    data |= {"name": name, "height_cm": height_cm, "consent": consent, **agreed}
     if not consent:
-        told |= dict.fromkeys(AGREED, "")
-    tables = {key: value for key, value in told.items() if isinstance(value, Mapping)}
-    lines = [_line(key, value) for key, value in told.items() if key not in tables and value not in ("", None)]
+        data |= dict.fromkeys(AGREED, "")
+    tables = {key: value for key, value in data.items() if isinstance(value, Mapping)}
+    lines = [_line(key, value) for key, value in data.items() if key not in tables and value not in ("", None)]
     for title, table in tables.items():
         lines += ["", f"[{title}]", *(_line(key, value) for key, value in table.items())]
     write_text(path, "\n".join(lines) + "\n")

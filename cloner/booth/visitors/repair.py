@@ -97,7 +97,7 @@ def repair_visitor(folder: Path) -> tuple[str, ...]:
     ClonerError
         As :func:`repair_file`.
     """
-    told = (
+    messages = (
         repair_file(
             folder / corrections_json.WHERE,
             lambda: read_corrections(folder),
@@ -111,7 +111,7 @@ def repair_visitor(folder: Path) -> tuple[str, ...]:
             lambda left: write_text(folder / PERSON_FILE, left),
         ),
     )
-    return tuple(one for one in told if one)
+    return tuple(one for one in messages if one)
 
 
 def salvage_corrections(text: str) -> Corrections:
@@ -144,20 +144,20 @@ def _whole_lines(text: str) -> Iterator[str]:
     seen: set[str] = set()
     for line in text.splitlines():
         try:
-            told = tomllib.loads(line)
+            data = tomllib.loads(line)
         except (tomllib.TOMLDecodeError, RecursionError):
             continue
-        if _fits(told) and not seen & told.keys():
-            seen |= told.keys()
+        if _fits(data) and not seen & data.keys():
+            seen |= data.keys()
             yield line
 
 
-def _fits(told: Mapping[str, Any]) -> bool:
+def _fits(data: Mapping[str, Any]) -> bool:
     kinds = {"name": str, "notes": str, "consent": str, "event": str, "licence": str, "height_cm": (int, float)}
-    fits = all(key in kinds and isinstance(value, kinds[key]) for key, value in told.items())  # type: ignore[arg-type]
-    fits = fits and told.get("licence", LICENCES[0]) in LICENCES
-    high = told.get("height_cm", SMALLEST_HEIGHT_CM)
-    return bool(told) and fits and SMALLEST_HEIGHT_CM <= high <= LARGEST_HEIGHT_CM
+    fits = all(key in kinds and isinstance(value, kinds[key]) for key, value in data.items())  # type: ignore[arg-type]
+    fits = fits and data.get("licence", LICENCES[0]) in LICENCES
+    high = data.get("height_cm", SMALLEST_HEIGHT_CM)
+    return bool(data) and fits and SMALLEST_HEIGHT_CM <= high <= LARGEST_HEIGHT_CM
 
 
 def _text(path: Path) -> str:

@@ -87,8 +87,8 @@ def read_visit(folder: Path) -> Visit:
     The file is the window's own memory: losing it costs a click, so it never stands in the way of the photos.
     """
     try:
-        told = json.loads(read_untrusted(folder / VISIT_FILE, LARGEST_BYTES))
-        return Visit(**{key: _KINDS[key](value) for key, value in told.items() if key in _KINDS})
+        data = json.loads(read_untrusted(folder / VISIT_FILE, LARGEST_BYTES))
+        return Visit(**{key: _KINDS[key](value) for key, value in data.items() if key in _KINDS})
     except FileNotFoundError:
         return Visit()
     except (OSError, ValueError, TypeError, AttributeError, ArithmeticError, RecursionError):

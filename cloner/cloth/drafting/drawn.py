@@ -91,8 +91,8 @@ def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     names = element.get("data-edges", "").split()
     curves = parse_path(element.get("d", ""), name, where)
     if len(names) != len(curves) or len(set(names)) != len(names):
-        told = f"the piece {name!r} has {len(curves)} edges and {len(names)} names for them"
-        raise ClonerError(told, "Name every edge once, in the order of drawing", where)
+        message = f"the piece {name!r} has {len(curves)} edges and {len(names)} names for them"
+        raise ClonerError(message, "Name every edge once, in the order of drawing", where)
     if not curves:
         raise ClonerError(f"the outline of the piece {name!r} ends early", _HINT, where)
     edges = {edge: scale * curve * [1.0, -1.0] for edge, curve in zip(names, curves, strict=True)}

@@ -158,8 +158,10 @@ def _half(curves: Array, part: str, where: str) -> dict[str, Array]:
         chain = chain[::-1, ::-1]
     runs = _edge_chains(chain, is_closed=False)
     if len(runs) != len(HALF):
-        told = f"the part {part!r} has {len(runs)} edges from corner to corner, not hem, side, armhole, shoulder, neck"
-        raise ClonerError(told, _HINT, where)
+        message = (
+            f"the part {part!r} has {len(runs)} edges from corner to corner, not hem, side, armhole, shoulder, neck"
+        )
+        raise ClonerError(message, _HINT, where)
     return {name: _evenly_spaced(run) for name, run in zip(HALF, runs, strict=True)}
 
 
@@ -189,8 +191,8 @@ def _trunk(part: str, half: Mapping[str, Array], body: Sections, where: str) -> 
         edges |= _cubics(f"{second}_{run}", (half[run][::-1] + lift) * [-1.0, 1.0], is_back=True)
     hem, under = (float(half[run][0, 1] + lift[1]) for run in ("hem", "armhole"))
     if under < float(body.place("crotch")[1]) - body.waist_m:
-        told = f"the armhole of the part {part!r} lies below this wearer's trunk"
-        raise ClonerError(told, "Draft it to the wearer's measures, in millimetres", where)
+        message = f"the armhole of the part {part!r} lies below this wearer's trunk"
+        raise ClonerError(message, "Draft it to the wearer's measures, in millimetres", where)
     up = extra_over_body_m(
         body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=part == "front"
     )
@@ -210,8 +212,8 @@ def _whole_sleeve(
         curves = curves[::-1, ::-1]
     runs = _edge_chains(curves, is_closed=True)
     if len(runs) != len(SLEEVE):
-        told = f"the sleeve has {len(runs)} edges from corner to corner, not hem, side, cap and side"
-        raise ClonerError(told, _HINT, where)
+        message = f"the sleeve has {len(runs)} edges from corner to corner, not hem, side, cap and side"
+        raise ClonerError(message, _HINT, where)
     holes = [sum(map(length_m, _cubics("", halves[part]["armhole"]).values())) for part in ("front", "back")]
     split = holes[0] / sum(holes)
     hem, ahead, cap, behind = runs

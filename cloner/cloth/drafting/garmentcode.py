@@ -69,18 +69,18 @@ def read_garment(path: Path, body: Sections) -> Pattern:
     ClonerError
         If it is neither, or cannot be worn.
     """
-    told = json_of(path)
-    if isinstance(told, dict) and isinstance(told.get("pattern"), dict):
-        return from_garmentcode(told, path.stem.removesuffix("_specification"), body, path.name)
-    return parse_pattern(told, path.stem, path.name)
+    data = json_of(path)
+    if isinstance(data, dict) and isinstance(data.get("pattern"), dict):
+        return from_garmentcode(data, path.stem.removesuffix("_specification"), body, path.name)
+    return parse_pattern(data, path.stem, path.name)
 
 
-def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: str) -> Pattern:
+def from_garmentcode(data: Mapping[str, Any], name: str, body: Sections, where: str) -> Pattern:
     """Return a GarmentCode design as a garment for a body.
 
     Parameters
     ----------
-    told : mapping
+    data : mapping
         The file's contents.
     name : str
     body : Sections
@@ -93,12 +93,12 @@ def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: 
         If it is none, or cannot be worn.
     """
     try:
-        scale = 1.0 / float(told["properties"]["units_in_meter"])
-        rows = list(dict(told["pattern"]["panels"]).items())[: MOST_SEGMENTS + 1]
+        scale = 1.0 / float(data["properties"]["units_in_meter"])
+        rows = list(dict(data["pattern"]["panels"]).items())[: MOST_SEGMENTS + 1]
         panels = [_panel(str(title), dict(each), scale) for title, each in rows]
         stitches = [
             tuple((str(side["panel"]), int(side["edge"])) for side in stitch[:2])
-            for stitch in told["pattern"]["stitches"]
+            for stitch in data["pattern"]["stitches"]
         ]
         reaches = any(word in panel.name.lower() for panel in panels for word in TORSO)
         high = float(body.place("neck_base_L")[1]) - body.waist_m + OVER_M if reaches else 0.0
@@ -113,14 +113,14 @@ def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: 
     return pattern
 
 
-def _panel(name: str, told: Mapping[str, Any], scale: float) -> _Panel:
-    words = f"{name} {told.get('label', '')}".lower()
-    corners = scale * np.asarray(told["vertices"], np.float64).reshape(-1, 2)
+def _panel(name: str, data: Mapping[str, Any], scale: float) -> _Panel:
+    words = f"{name} {data.get('label', '')}".lower()
+    corners = scale * np.asarray(data["vertices"], np.float64).reshape(-1, 2)
     if not (np.abs(corners) < LARGEST_M).all():  # nor nan
         raise ValueError("no garment's size")
-    curves = tuple(_curve(corners, dict(edge), scale) for edge in told["edges"])
-    turn = Rotation.from_euler("xyz", np.asarray(told.get("rotation", (0.0, 0.0, 0.0)), np.float64), degrees=True)
-    corner = scale * np.asarray(told["translation"], np.float64)
+    curves = tuple(_curve(corners, dict(edge), scale) for edge in data["edges"])
+    turn = Rotation.from_euler("xyz", np.asarray(data.get("rotation", (0.0, 0.0, 0.0)), np.float64), degrees=True)
+    corner = scale * np.asarray(data["translation"], np.float64)
     panel = _Panel(name, curves, turn.as_matrix(), corner, corner, "")
     placed = _in_space(panel)
     if not np.isfinite(placed).all():
@@ -132,10 +132,10 @@ def _panel(name: str, told: Mapping[str, Any], scale: float) -> _Panel:
     return replace(panel, middle=middle, around=f"{side}_arm" if any(word in words for word in ARMS) else trunk)
 
 
-def _curve(corners: Array, told: Mapping[str, Any], scale: float) -> Array:
+def _curve(corners: Array, data: Mapping[str, Any], scale: float) -> Array:
     """Return the (4, 2) cubic of an edge: straight, of one or two handles beside it, or an arc."""
-    start, end = (corners[int(row)] for row in told["endpoints"])
-    bend = told.get("curvature")
+    start, end = (corners[int(row)] for row in data["endpoints"])
+    bend = data.get("curvature")
     if bend is None:
         return line(start, end)
     along = end - start

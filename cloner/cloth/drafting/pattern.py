@@ -155,8 +155,8 @@ def check_pattern(pattern: Pattern, where: str) -> None:
     for one, other in pattern.seams:
         long, short = length_m(pattern.edge(one)), length_m(pattern.edge(other))
         if abs(long - short) > EASE * max(long, short):
-            told = f"{100 * long:.1f} and {100 * short:.1f} cm"
-            raise ClonerError(f"the edges {one!r} and {other!r} of a seam are {told} long", "Make them alike", where)
+            message = f"{100 * long:.1f} and {100 * short:.1f} cm"
+            raise ClonerError(f"the edges {one!r} and {other!r} of a seam are {message} long", "Make them alike", where)
 
 
 def _check_segment(segment: Segment, where: str) -> None:
@@ -223,7 +223,7 @@ def json_of(path: Path) -> Any:
         raise ClonerError("the file is no garment", _HINT, path.name) from error
 
 
-def parse_pattern(told: Any, name: str, where: str) -> Pattern:
+def parse_pattern(data: Any, name: str, where: str) -> Pattern:
     """Return the garment of a JSON file's contents.
 
     Raises
@@ -239,12 +239,12 @@ def parse_pattern(told: Any, name: str, where: str) -> Pattern:
                 str(each.get("around", "")),
                 tuple((float(y), float(at)) for y, at in each.get("lies", ())),
             )
-            for each in list(told["segments"])[: MOST_SEGMENTS + 1]
+            for each in list(data["segments"])[: MOST_SEGMENTS + 1]
         )
-        seams = tuple((str(one), str(other)) for one, other in told["seams"])
-        held = tuple(str(place) for place in told.get("held", ()))
-        pattern = Pattern(str(told.get("name", name)), segments, seams, held)
-        if told.get("format") != FORMAT:
+        seams = tuple((str(one), str(other)) for one, other in data["seams"])
+        held = tuple(str(place) for place in data.get("held", ()))
+        pattern = Pattern(str(data.get("name", name)), segments, seams, held)
+        if data.get("format") != FORMAT:
             raise ValueError("another form")
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         raise ClonerError("the file is no garment", _HINT, where) from error
@@ -254,7 +254,7 @@ def parse_pattern(told: Any, name: str, where: str) -> Pattern:
 
 def pattern_text(pattern: Pattern) -> str:
     """Return a garment as JSON."""
-    told = {
+    data = {
         "format": FORMAT,
         "name": pattern.name,
         "segments": [
@@ -269,4 +269,4 @@ def pattern_text(pattern: Pattern) -> str:
         "seams": [list(seam) for seam in pattern.seams],
         "held": list(pattern.held),
     }
-    return json.dumps(told, indent=1) + "\n"
+    return json.dumps(data, indent=1) + "\n"

@@ -123,15 +123,15 @@ def _fabric(name: str, text: str, where: str) -> Fabric:
         If it is none, or a reading is missing or beyond what cloth has.
     """
     try:
-        told: dict[str, Any] = tomllib.loads(text)
+        data: dict[str, Any] = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # also a number of 5,000 digits
         raise ClonerError("the file is no fabric", _HINT, where) from error
-    for key in told:
+    for key in data:
         if key not in _READINGS and key not in _UNREAD:
             raise ClonerError(f"the fabric has a reading {key!r}, which is not known", _HINT, where)
     values: dict[str, Any] = {}
     for key, reading in _READINGS.items():
-        given: Any = told.get(key)
+        given: Any = data.get(key)
         numbers = given if isinstance(given, list) else [given] * (2 if reading.paired else 1)
         if len(numbers) != (2 if reading.paired else 1) or not all(
             isinstance(number, int | float) and reading.least <= number <= reading.most for number in numbers
@@ -140,11 +140,11 @@ def _fabric(name: str, text: str, where: str) -> Fabric:
             raise ClonerError(f"the fabric's {key} is missing or no such number", hint, where)
         scaled = tuple(float(number) * reading.unit for number in numbers)
         values[reading.word] = scaled if reading.paired else scaled[0]
-    colour = re.fullmatch(r"#([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})", str(told.get("colour", "#c8c4b8")))
+    colour = re.fullmatch(r"#([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})", str(data.get("colour", "#c8c4b8")))
     if colour is None:
         raise ClonerError("the fabric's colour is none", 'Write it as "#dcd8c8"', where)
     red, green, blue = (int(part, 16) for part in colour.groups())
-    return Fabric(name=str(told.get("name", name))[:40], rgb=(red, green, blue), **values)
+    return Fabric(name=str(data.get("name", name))[:40], rgb=(red, green, blue), **values)
 
 
 def read_fabric(path: Path) -> Fabric:

@@ -169,14 +169,14 @@ def make_engine(sheet: Sheet, skin_points: int) -> ClothEngine:
         helds=len(sheet.held), neighbours=len(sheet.spacing.neighbours), skins=skin_points,
     )  # fmt: skip
     hung = np.isfinite(sheet.leash_m)
-    told = {
+    data = {
         "free": 1.0 / sheet.mass_kg, "faces": sheet.faces, "held": sheet.held,
         "stretch_ends": stretch.ends, "stretch_rest": stretch.rest_m, "stretch_gives": stretch.compliance,
         "bend_ends": bend.ends, "bend_rest": bend.rest_m, "bend_gives": bend.compliance,
         "anchor": np.where(hung, sheet.anchor, -1), "leash": np.where(hung, sheet.leash_m, 0.0),
         "radius": sheet.spacing.radius_m, "next_first": sheet.spacing.first, "next": sheet.spacing.neighbours,
     }  # fmt: skip
-    for name, values in told.items():
+    for name, values in data.items():
         core.arrays[name][:] = values
     core.arrays["free"][sheet.held] = 0.0
     core.call("ready")

@@ -56,7 +56,7 @@ class BodyLevels:
     counts: tuple[int, ...]
 
 
-def read_budgets(told: Any) -> tuple[int, ...]:
+def read_budgets(data: Any) -> tuple[int, ...]:
     """Return the loose shells' triangles per level in a pack's description.
 
     Raises
@@ -65,7 +65,7 @@ def read_budgets(told: Any) -> tuple[int, ...]:
         If no pack has them.
     """
     for budgets in (LOOSE, FLOWING):
-        if told == list(budgets):
+        if data == list(budgets):
             return budgets
     raise ValueError("levels that no pack has")
 

@@ -79,12 +79,12 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
         for name in names
     )
     shaders = {name: (web / name).read_text(encoding="utf-8") for name in page_shaders()}
-    told = {key: value for key, value in facts.items() if key != "files"}
+    shown = {key: value for key, value in facts.items() if key != "files"}
     page = (web / "player.html").read_text(encoding="utf-8")
     parts = {
         "POLICY": _LIVE_POLICY if facts.get("live") else _GOING_POLICY if goes_on else _POLICY,
         "STYLE": (web / "player.css").read_text(encoding="utf-8"),
-        "FACTS": _inside_script({"facts": told, "shaders": shaders}),
+        "FACTS": _inside_script({"facts": shown, "shaders": shaders}),
         "HELD": held,
         "THREE": (web / "three.crowd.min.js").read_text(encoding="utf-8"),
         "SCRIPTS": "\n".join((web / name).read_text(encoding="utf-8") for name in _SCRIPTS),

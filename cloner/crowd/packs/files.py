@@ -50,7 +50,7 @@ def pack_arrays(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, An
     return zlib.compress(b"".join(chunks), 9), told
 
 
-def unpack_arrays(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+def unpack_arrays(data: bytes, parsed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
     """Return the arrays of :func:`pack_arrays`.
 
     Raises
@@ -59,14 +59,14 @@ def unpack_arrays(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any
         If the bytes are damaged, or more or fewer than what is told of them.
     """
     found = {}
-    ends = [one["at"] + math.prod(one["shape"]) * np.dtype(one["type"]).itemsize for one in told.values()]
+    ends = [one["at"] + math.prod(one["shape"]) * np.dtype(one["type"]).itemsize for one in parsed.values()]
     try:
         if max(ends, default=0) > LARGEST_NUMBERS_BYTES:
             raise ValueError("more numbers than a clone has")
         data = zlib.decompressobj().decompress(data, max(ends, default=0) + 8)
     except zlib.error as error:
         raise ValueError("numbers that cannot be read") from error
-    for name, one in told.items():
+    for name, one in parsed.items():
         count = math.prod(one["shape"])
         found[name] = np.frombuffer(data, np.dtype(one["type"]).newbyteorder("<"), count, one["at"]).reshape(
             one["shape"]

@@ -54,7 +54,7 @@ ATLAS_QUALITY: Final = 85
 
 
 def make_pack(
-    results: Sequence[Path], out: Path, wanted: PackOptions, told: Callable[[str, int, int], None] = lambda *_: None
+    results: Sequence[Path], out: Path, wanted: PackOptions, report: Callable[[str, int, int], None] = lambda *_: None
 ) -> dict[str, Any]:
     """Write a pack of clones and return the contents of its ``crowd.json``.
 
@@ -65,7 +65,7 @@ def make_pack(
     out : Path
         The pack's folder; an older pack there is replaced when all went well.
     wanted : Wanted
-    told : callable
+    report : callable
         Gets each clone's name, its number from 1 and how many there are.
 
     Raises
@@ -84,7 +84,7 @@ def make_pack(
     rows, masks, tones = [], [], []
     with pack_folder(out) as folder:
         for number, one in enumerate(found, start=1):
-            told(one.identifier, number, len(found))
+            report(one.identifier, number, len(found))
             clone, _ = load_person(one, generic)
             cast = make_crowd_clone(
                 one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,

@@ -126,10 +126,10 @@ def read_spoken(pack: Path, facts: dict[str, Any]) -> SpeechTrack | None:
     """
     if "spoken" not in facts:
         return None
-    told = facts["spoken"]
+    data = facts["spoken"]
     try:
-        weights = unpack_arrays(read_checked(pack, SPOKEN_FILE, facts), told["arrays"])["weights"]
-        said = tuple(Utterance(**{name: one[name] for name in Utterance.__slots__}) for one in told["said"])
+        weights = unpack_arrays(read_checked(pack, SPOKEN_FILE, facts), data["arrays"])["weights"]
+        said = tuple(Utterance(**{name: one[name] for name in Utterance.__slots__}) for one in data["said"])
         if not np.isfinite(weights).all() or any(one.first + one.frames > len(weights) for one in said):
             raise ValueError("another film's")
     except (ValueError, LookupError, TypeError) as error:
@@ -147,22 +147,22 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
     """
     if "room" not in facts:
         return None
-    told = facts["room"]
+    data = facts["room"]
     try:
-        held = unpack_arrays(read_checked(pack, ROOM_FILE, facts), told["arrays"])
+        held = unpack_arrays(read_checked(pack, ROOM_FILE, facts), data["arrays"])
         looks, light, sun = (
             decode_webp(read_checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE)
         )
-        shape = tuple(told["shape"])
+        shape = tuple(data["shape"])
         fits_in = sun.shape == light.shape and held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
         finite = all(np.isfinite(one).all() for one in held.values())
-        if not (fits_in and finite and len(told["heights"]) == shape[0] and not looks.shape[0] % looks.shape[1]):
+        if not (fits_in and finite and len(data["heights"]) == shape[0] and not looks.shape[0] % looks.shape[1]):
             raise ValueError("a room of odd shapes")
     except (ValueError, LookupError, TypeError, OSError) as error:
         raise ClonerError("the room's files do not fit together", "Build it again", pack.name) from error
-    low, heights = np.array(told["low"], float), np.array(told["heights"], float)
-    probes = Probes(low, heights, float(told["step"]), held["probes"], held["sun"])
-    return LitRoom(held["corners"], looks, light, sun[..., 0], probes, told)
+    low, heights = np.array(data["low"], float), np.array(data["heights"], float)
+    probes = Probes(low, heights, float(data["step"]), held["probes"], held["sun"])
+    return LitRoom(held["corners"], looks, light, sun[..., 0], probes, data)
 
 
 def read_checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
@@ -184,5 +184,5 @@ def read_checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
 
 def read_casting(facts: dict[str, Any]) -> Casting:
     """Return the rules of who wears what."""
-    told = facts["looks"]
-    return Casting(told["clones"], told["palettes"], told["wardrobe"], told["own_share"], told["dyed_share"])
+    data = facts["looks"]
+    return Casting(data["clones"], data["palettes"], data["wardrobe"], data["own_share"], data["dyed_share"])

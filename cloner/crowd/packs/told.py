@@ -224,11 +224,11 @@ def _pair(first: Check, second: Check) -> Check:
     return lambda value: isinstance(value, list) and len(value) == 2 and first(value[0]) and second(value[1])
 
 
-def _unknown_staged(told: Any, people: int) -> str:
+def _unknown_staged(data: Any, people: int) -> str:
     """Return what is staged of people that do not exist."""
-    named = [one[0] for name in ("wakes", "hardens", "stone", "up") for one in told[name]]
-    named += [one[key] for one in told["heads"] for key in ("who", "of")]
-    named += [int(key[7]) for shot in told["shots"] for key in shot]
+    named = [one[0] for name in ("wakes", "hardens", "stone", "up") for one in data[name]]
+    named += [one[key] for one in data["heads"] for key in ("who", "of")]
+    named += [int(key[7]) for shot in data["shots"] for key in shot]
     return "" if all(one < people for one in named) else "staging"
 
 

@@ -47,37 +47,37 @@ class RoomLight:
 DAY: Final = RoomLight()
 
 
-def room_values(probes: Probes, told: Mapping[str, Any], eye: CrowdCamera, hour: RoomLight) -> dict[str, Any]:
+def room_values(probes: Probes, data: Mapping[str, Any], eye: CrowdCamera, hour: RoomLight) -> dict[str, Any]:
     """Return the uniforms of everything that is drawn in a room."""
     right, up, back = eye.axes()
     wide, tall = (size / 2.0 / eye.focal_px for size in eye.size_px)
     values = {
-        "roomed": 1, "sunWay": tuple(told["sun_way"]), "sunLight": tuple(told["sun_light"]),
-        "skyLight": tuple(told["sky_light"]), "groundColour": tuple(told["ground"]),
-        "brightest": float(told["brightest"]), "daylight": hour.daylight, "starry": hour.stars,
-        "exposure": exposure(probes, told, eye.place_m, -back, hour),
+        "roomed": 1, "sunWay": tuple(data["sun_way"]), "sunLight": tuple(data["sun_light"]),
+        "skyLight": tuple(data["sky_light"]), "groundColour": tuple(data["ground"]),
+        "brightest": float(data["brightest"]), "daylight": hour.daylight, "starry": hour.stars,
+        "exposure": exposure(probes, data, eye.place_m, -back, hour),
         "lantern": hour.lantern, "lanternLight": hour.lantern_light,
         "skyAhead": tuple(-back), "skyRight": tuple(right * wide), "skyUp": tuple(up * tall),
     }  # fmt: skip
-    return values | ({"shadowed": 1, "shadowFromWorld": sun_clip(told, eye.place_m, -back)} if any(told["sun_light"])
+    return values | ({"shadowed": 1, "shadowFromWorld": sun_clip(data, eye.place_m, -back)} if any(data["sun_light"])
                      else {})  # fmt: skip
 
 
-def exposure(probes: Probes, told: Mapping[str, Any], place: Array, ahead: Array, hour: RoomLight) -> tuple[float, ...]:
+def exposure(probes: Probes, data: Mapping[str, Any], place: Array, ahead: Array, hour: RoomLight) -> tuple[float, ...]:
     """Return the factors of red, green and blue for a camera that looks ahead from a point."""
     level_way = ahead * (1.0, 0.0, 1.0) / max(float(np.hypot(ahead[0], ahead[2])), 1e-6)
     places = np.array([[place[0], CHEST_M, place[2]] + level_way * far for far in AHEAD_M])
     light, sun = light_at(probes, places)
-    around = light[:, :, 0] + 0.25 * sun[:, None] * np.array(told["sun_light"])  # a ball gets a quarter of the sun
+    around = light[:, :, 0] + 0.25 * sun[:, None] * np.array(data["sun_light"])  # a ball gets a quarter of the sun
     colour = np.exp(np.log(np.maximum(around, DARKEST)).mean(axis=0))
     level, day = float(colour @ LUMA), max(float(np.array(hour.daylight) @ LUMA), 1e-4)
     gain = (KEY / level) ** ADAPTS / day**ADAPTS_TO_NIGHT * 2.0**hour.stops
     return tuple((gain * (level / colour) ** ADAPTS_TO_COLOUR).tolist())
 
 
-def sun_clip(told: Mapping[str, Any], place: Array, ahead: Array) -> Array:
+def sun_clip(data: Mapping[str, Any], place: Array, ahead: Array) -> Array:
     """Return the (4, 4) matrix to the clip space of the sun's shadow map of who stands before a camera."""
-    way = np.array(told["sun_way"], float)
+    way = np.array(data["sun_way"], float)
     right = np.cross([0.0, 0.0, 1.0] if abs(way[2]) < 0.9 else [1.0, 0.0, 0.0], way)
     right /= np.linalg.norm(right)
     up = np.cross(way, right)

@@ -59,14 +59,14 @@ def read_looks(path: Path | None) -> dict[str, Any]:
     return data
 
 
-def make_casting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[str, Any]) -> Casting:
+def make_casting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], data: Mapping[str, Any]) -> Casting:
     """Return palettes and wardrobe of some clones.
 
     Parameters
     ----------
     masks : sequence of mapping of garment to (S, S) bool
         Which texels each clone's garments cover.
-    told : mapping
+    data : mapping
         Of :func:`read_looks`.
 
     Raises
@@ -74,10 +74,10 @@ def make_casting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping
     ClonerError
         If colours or shares make no sense.
     """
-    own, dyed = _share(told, "own_share", 0.3), _share(told, "dyed_share", 0.45)
-    palettes = {name: _palette(told.get("palette", {}), name) for name in PALETTES}
+    own, dyed = _share(data, "own_share", 0.3), _share(data, "dyed_share", 0.45)
+    palettes = {name: _palette(data.get("palette", {}), name) for name in PALETTES}
     wardrobe: dict[str, list[list[int]]] = {}
-    if told.get("wardrobe", True):
+    if data.get("wardrobe", True):
         wardrobe = {garment: [_fitting(masks, garment, k) for k in range(len(masks))] for garment in WORN}
     return Casting(len(masks), palettes, wardrobe, own, min(dyed, 1.0 - own))
 
@@ -105,8 +105,8 @@ def _fitting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], garment: str, wea
     return found
 
 
-def _share(told: Mapping[str, Any], key: str, usual: float) -> float:
-    value = told.get(key, usual)
+def _share(data: Mapping[str, Any], key: str, usual: float) -> float:
+    value = data.get(key, usual)
     if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value <= 1.0:
         raise ClonerError(f"{key} must be a number from 0 to 1", f"Write {key} = {usual}", "looks.toml")
     return float(value)

@@ -43,22 +43,22 @@ def eased_value(keys: Keys, now: float) -> Array:
 class Staging:
     """The contents of ``staging`` in ``crowd.json``."""
 
-    def __init__(self, told: Mapping[str, Any], statures_m: Sequence[float]) -> None:
-        self._told, self._statures = told, np.array(statures_m)
+    def __init__(self, data: Mapping[str, Any], statures_m: Sequence[float]) -> None:
+        self._told, self._statures = data, np.array(statures_m)
 
     def rows(self, acted: Acted, now: float) -> NDArray[np.float32]:
         """Return everybody's staged rows at a time, as :func:`cloner.crowd.staged.footing.people_at`."""
-        told = self._told
+        staging = self._told
         times = np.full(len(acted.people), now)
-        for who, wakes in told["wakes"]:
+        for who, wakes in staging["wakes"]:
             times[who] = max(times[who], wakes)
-        for who, hardens in told["hardens"]:
+        for who, hardens in staging["hardens"]:
             times[who] = min(times[who], hardens)
         rows = people_at(acted, times)
         for name, column in (("stone", STONE), ("up", UP)):
-            for who, keys in told[name]:
+            for who, keys in staging[name]:
                 rows[who, 4, column] = eased_value(keys, now)[0]
-        for head in told["heads"]:
+        for head in staging["heads"]:
             body, own = rows[head["of"]], rows[head["who"]]
             if now >= head["until"]:
                 own[0, 0] = GONE
@@ -72,12 +72,12 @@ class Staging:
 
     def hour(self, now: float) -> RoomLight:
         """Return the room's lighting at a time."""
-        told = self._told
-        lantern = eased_value(told["lantern"], now)
+        staging = self._told
+        lantern = eased_value(staging["lantern"], now)
         light, at = lantern[3:], lantern[:3]
         return RoomLight(
-            tuple(eased_value(told["light"], now).tolist()), float(eased_value(told["stars"], now)[0]),
-            float(eased_value(told["stops"], now)[0]), (*at.tolist(), LANTERN_M if light.any() else 0.0),
+            tuple(eased_value(staging["light"], now).tolist()), float(eased_value(staging["stars"], now)[0]),
+            float(eased_value(staging["stops"], now)[0]), (*at.tolist(), LANTERN_M if light.any() else 0.0),
             tuple(light.tolist()),
         )  # fmt: skip
 

@@ -55,10 +55,10 @@ def find_halves(
 
     Parameters are those of ``find_half``.
     """
-    told: dict[str, list[tuple[Array, float]]] = {}
+    data: dict[str, list[tuple[Array, float]]] = {}
     for side in "LR":
         found, _ = find_half(photo, proposal, names, points_px, feature, side)
         for name, place, error in zip(side_names(feature, side), found.points_px, found.error_iod, strict=False):
-            told.setdefault(name, []).append((place, float(error)))
-    places = np.array([np.mean([place for place, _ in both], axis=0) for both in told.values()])
-    return list(told), FoundFeature(places, np.array([np.mean([error for _, error in both]) for both in told.values()]))
+            data.setdefault(name, []).append((place, float(error)))
+    places = np.array([np.mean([place for place, _ in both], axis=0) for both in data.values()])
+    return list(data), FoundFeature(places, np.array([np.mean([error for _, error in both]) for both in data.values()]))

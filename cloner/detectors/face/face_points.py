@@ -120,15 +120,15 @@ def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     doubt = WRONG_ERROR * missing_edge_share(photo.rgb, model, found.fitted)
     kept = [row for row, name in enumerate(found.names) if name in PROFILE]
     names = [found.names[row] for row in kept]
-    told = dict(
+    places = dict(
         zip(names, zip(found.points_px[kept], found.error_iod[kept] * _error_factors(names), strict=True), strict=True)
     )
     for feature in (*INNER, EAR) if photo.view.is_face else ():
         inside, seen = find_inner_feature(photo, proposal, found, feature)
-        told |= zip(inside, zip(seen.points_px, seen.error_iod, strict=True), strict=True)
-    points = np.array([place for place, _ in told.values()])
-    error = np.array([error for _, error in told.values()]) + doubt
-    return ViewPoints(photo.view, tuple(told), points, face_confidence(error), np.zeros(len(told), dtype=bool))
+        places |= zip(inside, zip(seen.points_px, seen.error_iod, strict=True), strict=True)
+    points = np.array([place for place, _ in places.values()])
+    error = np.array([error for _, error in places.values()]) + doubt
+    return ViewPoints(photo.view, tuple(places), points, face_confidence(error), np.zeros(len(places), dtype=bool))
 
 
 def _error_factors(names: Sequence[str]) -> Array:

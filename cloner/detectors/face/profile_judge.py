@@ -79,7 +79,7 @@ def load_judge() -> ProfileJudge:
 
 
 def features(
-    model: ProfileModel, fitted: FittedProfile, facing: int, labels: NDArray[np.uint8], told: tuple[int, Array] | None
+    model: ProfileModel, fitted: FittedProfile, facing: int, labels: NDArray[np.uint8], known: tuple[int, Array] | None
 ) -> Array:
     """Return the features (D,) of a fitted profile.
 
@@ -90,7 +90,7 @@ def features(
     facing : int
         +1 when the profile looks to the image's right, -1 left.
     labels : (H, W) uint8
-    told : (int, (3, 2) float64) or None
+    known : (int, (3, 2) float64) or None
         Which way the head looks by the pose net, and where it has nose, eye and mouth, px.
     """
     tip = model.mean[model.samples + model.names.index("nose_tip")]
@@ -101,7 +101,7 @@ def features(
     face = face_share(model, fitted, labels)
     tilt = np.arctan2(-linear[1, 0], facing * linear[0, 0])
     fit = (fitted.cost, np.sqrt(max(fitted.cost, 0.0)), fitted.weights @ fitted.weights / 10.0, tilt, 4.0 * tilt**2)
-    return np.concatenate([shown, _pose_features(fitted, facing, tip, told), [face, face**2], fit])
+    return np.concatenate([shown, _pose_features(fitted, facing, tip, known), [face, face**2], fit])
 
 
 def face_share(model: ProfileModel, fitted: FittedProfile, labels: NDArray[np.uint8]) -> float:
@@ -110,12 +110,12 @@ def face_share(model: ProfileModel, fitted: FittedProfile, labels: NDArray[np.ui
     return float(shows(labels_at(labels, fitted.curve_px(model) + INSIDE_M * inwards), *FACE).mean())
 
 
-def _pose_features(fitted: FittedProfile, facing: int, tip: Array, told: tuple[int, Array] | None) -> Array:
+def _pose_features(fitted: FittedProfile, facing: int, tip: Array, known: tuple[int, Array] | None) -> Array:
     """Return the pose net's positions in a profile's frame; zeros without them."""
-    if told is None:
+    if known is None:
         return np.zeros(21)
-    own_m = np.linalg.solve(fitted.px_from_m[:, :2], (told[1] - fitted.px_from_m[:, 2]).T).T
+    own_m = np.linalg.solve(fitted.px_from_m[:, :2], (known[1] - fitted.px_from_m[:, 2]).T).T
     away = np.clip((own_m - tip - _USUAL_M) / _FAR_M, -1.0, 1.0).ravel()
-    size = np.linalg.norm(told[1][1] - told[1][2]) / (_EYE_TO_MOUTH_M * fitted.size)
+    size = np.linalg.norm(known[1][1] - known[1][2]) / (_EYE_TO_MOUTH_M * fitted.size)
     larger = float(np.clip(np.log(max(float(size), 1e-6)) / _FAR_SIZE, -1.0, 1.0))
-    return np.concatenate([away, away**2, np.abs(away), [larger, larger**2, 1.0 if told[0] == facing else -1.0]])
+    return np.concatenate([away, away**2, np.abs(away), [larger, larger**2, 1.0 if known[0] == facing else -1.0]])

@@ -72,7 +72,7 @@ def add_spring_bones(gltf: Any, clone: Clone) -> dict[str, Any] | None:
         As `cloner.exporters.gltf.gltf.build` made it of this very clone, with H-Anim's joints.
     clone : Clone
     """
-    told: dict[str, Any] = {"specVersion": "1.0", "colliders": [], "colliderGroups": [], "springs": []}
+    data: dict[str, Any] = {"specVersion": "1.0", "colliders": [], "colliderGroups": [], "springs": []}
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     every: list[Tail] = []
     for kind, found in (("hair", tails(clone)), ("cloth", hems(clone))):
@@ -84,12 +84,12 @@ def add_spring_bones(gltf: Any, clone: Clone) -> dict[str, Any] | None:
             _rewrite_weights(gltf, clone, shell, [(tail, chain) for tail, chain in zip(found, chains, strict=True)
                                         if tail.shell == shell])  # fmt: skip
         bodies = _colliders(clone, swing, found)
-        first, group = len(told["colliders"]), len(told["colliderGroups"])
-        told["colliders"] += [{"node": nodes[swing.bodies[name][0]], "shape": shape} for name, shape in bodies.items()]
+        first, group = len(data["colliders"]), len(data["colliderGroups"])
+        data["colliders"] += [{"node": nodes[swing.bodies[name][0]], "shape": shape} for name, shape in bodies.items()]
         if bodies:
             rows = list(range(first, first + len(bodies)))
-            told["colliderGroups"].append({"name": kind, "colliders": rows})
-        told["springs"] += [
+            data["colliderGroups"].append({"name": kind, "colliders": rows})
+        data["springs"] += [
             {
                 "name": gltf.nodes[chain[0]].name,
                 "joints": [_joint(swing, node, k, float(tail.radius_m[k])) for k, node in enumerate(chain)],
@@ -100,7 +100,7 @@ def add_spring_bones(gltf: Any, clone: Clone) -> dict[str, Any] | None:
     if not every:
         return None
     _bind(gltf, np.vstack([tail.points_m[:-1] for tail in every]))
-    return told
+    return data
 
 
 def _joint(swing: Swing, node: int, place: int, radius_m: float) -> dict[str, Any]:
@@ -177,8 +177,8 @@ def _colliders(clone: Clone, swing: Swing, found: Sequence[Tail]) -> dict[str, d
         radius = min(_thick(skin, first, last), float((_away(points, first, last) - radii).min()))
         if radius < _LEAST_M:
             continue
-        told = {"offset": _rounded(first - node), "radius": round(radius, 4)}
-        shapes[name] = {"sphere": told} if end is None else {"capsule": {**told, "tail": _rounded(last - node)}}
+        data = {"offset": _rounded(first - node), "radius": round(radius, 4)}
+        shapes[name] = {"sphere": data} if end is None else {"capsule": {**data, "tail": _rounded(last - node)}}
     return shapes
 
 

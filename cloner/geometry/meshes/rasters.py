@@ -135,8 +135,8 @@ def _cover_rows(
     rows = np.flatnonzero((beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0).astype(np.int32)
     own = np.arange(3 * rows.size, dtype=np.int32).reshape(-1, 3)
     # Each triangle with corners of its own, whose "colours" are two weights and its number.
-    told = np.zeros((rows.size, 3, 3), np.float32)
-    told[:, 0, 0], told[:, 1, 1], told[:, :, 2] = 1.0, 1.0, np.arange(1, rows.size + 1)[:, None]
+    corners = np.zeros((rows.size, 3, 3), np.float32)
+    corners[:, 0, 0], corners[:, 1, 1], corners[:, :, 2] = 1.0, 1.0, np.arange(1, rows.size + 1)[:, None]
     flat = points_px.take(triangles.take(rows, axis=0).ravel(), axis=0)
     if not rows.size:
         return np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros((0, 3), np.float32)
@@ -147,7 +147,7 @@ def _cover_rows(
     wide, high = right - left + 1, bottom - top + 1
     picture, depth = np.zeros((high, wide, 3), np.float32), np.full((high, wide), 2.0, np.float32)
     scene = _scene(flat - (left, top), np.ones(len(flat)), wide, high)
-    cv2.triangleRasterize(scene, own, told.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
+    cv2.triangleRasterize(scene, own, corners.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
     found = picture.reshape(-1, 3)
     place = np.flatnonzero(found[:, 2] > 0.5).astype(np.int32)
     pixel = (place // wide + (top + rows_px.start)) * np.int32(width_px) + place % wide + np.int32(left)

@@ -127,8 +127,8 @@ def scarf_field(
     front = next(view for view in worn if view.posed.view.is_front)
     near = np.flatnonzero(front.evidence(grid)[0] > -CLIP_MM)
     inside, sides = agreed_mm(worn, grid[near], deep_m)
-    told = (inside > -CLIP_MM) & (sides > 1)  # one point of the grid in twelve
-    near, inside = near[told], inside[told]
+    observed = (inside > -CLIP_MM) & (sides > 1)  # one point of the grid in twelve
+    near, inside = near[observed], inside[observed]
     field, skin_mm = np.full(len(grid), np.float32(-CLIP_MM)), np.full(len(grid), np.float32(FAR_MM))
     skin_mm[near] = surface_mm(*body, grid[near])[0]
     field[near] = np.clip(np.minimum(inside - DOUBT_MM, skin_mm[near] + INNER_MM), -CLIP_MM, CLIP_MM)

@@ -150,8 +150,8 @@ def _shares(picture: Picture, own: Picture, behind: Picture, hair: Mask) -> tupl
     strange = np.linalg.norm(picture - behind - along[..., None] * apart, axis=2)
     share = np.clip((along - HAZE[0]) / (HAZE[1] - HAZE[0]), 0.0, 1.0)
     share *= np.where(hair, 1.0, np.clip(2.0 - strange / STRANGE, 0.0, 1.0))
-    told = contrast > CONTRAST**2
-    return np.where(told, share, hair).astype(np.float32), told, strange
+    separable = contrast > CONTRAST**2
+    return np.where(separable, share, hair).astype(np.float32), separable, strange
 
 
 def hair_rim_mm(mattes: Iterable[Matte]) -> float | None:
@@ -206,7 +206,7 @@ def _core(share: Picture, hair: Mask, other: Mask, pixel_mm: float) -> Mask:
     return np.asarray(dense & opened, np.bool_)
 
 
-def _ring_means(share: Picture, told: Mask, core: Mask, other: Mask, pixel_mm: float) -> Array:
+def _ring_means(share: Picture, separable: Mask, core: Mask, other: Mask, pixel_mm: float) -> Array:
     """Return the mean alpha (RINGS,) by distance from the core, NaN where unknown."""
     unknown = np.full(RINGS, np.nan)
     if not core.any():
@@ -214,10 +214,10 @@ def _ring_means(share: Picture, told: Mask, core: Mask, other: Mask, pixel_mm: f
     away, to_other = _away_mm(core, pixel_mm), _away_mm(other, pixel_mm)
     rim = (away > 0.0) & (away < RING_MM * RINGS) & (to_other > away + OTHER_MM)
     ring = np.floor(away / RING_MM).astype(np.int64)
-    counts = np.bincount(ring[rim & told], minlength=RINGS)[:RINGS]
-    if np.count_nonzero(rim & told) < TOLD_SHARE * np.count_nonzero(rim) or counts.min() < FEWEST_PX:
+    counts = np.bincount(ring[rim & separable], minlength=RINGS)[:RINGS]
+    if np.count_nonzero(rim & separable) < TOLD_SHARE * np.count_nonzero(rim) or counts.min() < FEWEST_PX:
         return unknown
-    return np.bincount(ring[rim & told], share[rim & told], minlength=RINGS)[:RINGS] / counts
+    return np.bincount(ring[rim & separable], share[rim & separable], minlength=RINGS)[:RINGS] / counts
 
 
 def _disc(width_px: float) -> NDArray[np.uint8]:

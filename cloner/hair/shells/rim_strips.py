@@ -119,8 +119,8 @@ def make_strips(
 def _without_walls(strips: Mapping[int, RimStrip], reach_mm: float) -> dict[int, RimStrip]:
     """Return strips without columns of far more hair than usual: there a photo shows a wall like hair."""
     amounts = {side: hair_beyond_mm(strip, reach_mm, BROAD_MM) for side, strip in strips.items()}
-    told = np.concatenate([amounts[side][strip.known] for side, strip in strips.items()])
-    shown = told[told > LEAST_MM]
+    known = np.concatenate([amounts[side][strip.known] for side, strip in strips.items()])
+    shown = known[known > LEAST_MM]
     most = USUAL * float(np.median(shown)) + SLACK_MM if shown.size else np.inf
     return {side: RimStrip(strip.rgba, strip.known & (amounts[side] < most)) for side, strip in strips.items()}
 

@@ -91,9 +91,9 @@ def spoken(
                           timeout=PATIENCE_S, check=False)  # fmt: skip
     if done.returncode != 0:
         raise ClonerError(f"espeak-ng cannot speak with the voice {voice!r}", "Use a language that it has", "text")
-    told = json.loads(done.stdout)
-    sound = np.frombuffer(base64.b64decode(told["sound"]), dtype=np.int16)
-    return int(told["rate"]), sound, _lasting(told["phonemes"], 1000.0 * len(sound) / told["rate"])
+    data = json.loads(done.stdout)
+    sound = np.frombuffer(base64.b64decode(data["sound"]), dtype=np.int16)
+    return int(data["rate"]), sound, _lasting(data["phonemes"], 1000.0 * len(sound) / data["rate"])
 
 
 def _lasting(events: list[tuple[float, str]], end_ms: float) -> list[tuple[str, float]]:

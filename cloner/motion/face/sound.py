@@ -118,8 +118,8 @@ def read_sound(path: Path) -> tuple[int, Array]:
         if not RATES_HZ[0] <= rate <= RATES_HZ[1] or data.dtype.kind not in "uif" or data.dtype.itemsize > 8:
             raise ValueError(f"{rate} samples a second of {data.dtype}")
     except UnsuitableFile as error:
-        told = f"the sound cannot be read: {error.strerror}"
-        raise ClonerError(told, "Give a .wav file with 16-bit samples, cut into pieces", path.name) from error
+        message = f"the sound cannot be read: {error.strerror}"
+        raise ClonerError(message, "Give a .wav file with 16-bit samples, cut into pieces", path.name) from error
     except _BROKEN as error:
         raise ClonerError("the sound cannot be read", "Give a .wav file with 16-bit samples", path.name) from error
     if len(data) / rate > LONGEST_S:

@@ -50,8 +50,8 @@ def match_light_of_body(shell: Shell, vertices_m: Array, worn_rgb: Array, surfac
     gap = np.asarray(log_levels(worn_rgb[near])) - np.asarray(log_levels(own))
     weight = surfaces[near][:, WORN].sum(axis=1) * (away < REACH_M) / (1.0 + beyond_light(gap) ** 4)
     basis = _angular_basis(turn)
-    told = basis[rim] * weight[:, None]
-    gains = np.linalg.solve(told.T @ basis[rim] + HOLD * np.eye(basis.shape[1]), told.T @ gap)
+    weighted = basis[rim] * weight[:, None]
+    gains = np.linalg.solve(weighted.T @ basis[rim] + HOLD * np.eye(basis.shape[1]), weighted.T @ gap)
     rgba = shell.rgba.copy()
     rgba[..., :3] = np.rint(
         apply_light(rgba[..., :3].astype(np.float64), _interpolate_over_texture(shell, basis @ gains))

@@ -168,13 +168,13 @@ def _iterate_fit(
 
     ``read`` gives what the rays of a lens tell by its middle, its side and the rim so far.
     """
-    told = np.zeros((2, RAYS))
+    known = np.zeros((2, RAYS))
     for _ in range(ROUNDS):
         lenses = zip(_lens_centres(eyes_mm, moved), SIDES, strict=True)
-        told = np.stack([read(middle, sign, radii_mm) for middle, sign in lenses])
-        radii_mm, more = _fit_rim(told, radii_mm)
+        known = np.stack([read(middle, sign, radii_mm) for middle, sign in lenses])
+        radii_mm, more = _fit_rim(known, radii_mm)
         moved = moved + more
-    return radii_mm, moved, told
+    return radii_mm, moved, known
 
 
 def _thickness_mm(at: Reader, eyes_mm: Array, radii_mm: Array, moved: Array) -> float:
@@ -182,8 +182,8 @@ def _thickness_mm(at: Reader, eyes_mm: Array, radii_mm: Array, moved: Array) -> 
     runs = [_runs(at, middle, sign) for middle, sign in zip(_lens_centres(eyes_mm, moved), SIDES, strict=True)]
     first, last, met = (np.stack(each) for each in zip(*runs, strict=True))
     thick = STEP_MM * (last - first)
-    told = thick[met & (np.abs(REACH_MM[first] - radii_mm) < SEEN_MM) & (thick < THICK_MM[1])]
-    return float(np.clip(np.median(told), *THICK_MM)) if told.size else USUAL_THICK_MM
+    measured_mm = thick[met & (np.abs(REACH_MM[first] - radii_mm) < SEEN_MM) & (thick < THICK_MM[1])]
+    return float(np.clip(np.median(measured_mm), *THICK_MM)) if measured_mm.size else USUAL_THICK_MM
 
 
 def _ray_directions() -> Array:

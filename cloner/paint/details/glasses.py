@@ -147,8 +147,8 @@ def _with_colours(
     lab = cv2.cvtColor(cv2.GaussianBlur(colours, (0, 0), 0.8) / 255.0, cv2.COLOR_RGB2LAB)
     own, skin = np.median(lab[core], axis=0), np.median(lab[around], axis=0)
     lean = np.linalg.norm(lab - skin, axis=2) - np.linalg.norm(lab - own, axis=2)
-    told = np.clip(0.5 + 0.5 * lean / max(float(np.linalg.norm(own - skin)), 1.0), 0.0, 1.0)
-    return np.asarray(LABELLED * frame + (1.0 - LABELLED) * open_skin * told, np.float32)
+    frame_share = np.clip(0.5 + 0.5 * lean / max(float(np.linalg.norm(own - skin)), 1.0), 0.0, 1.0)
+    return np.asarray(LABELLED * frame + (1.0 - LABELLED) * open_skin * frame_share, np.float32)
 
 
 def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
@@ -259,8 +259,8 @@ def _texture(shape: FrameShape, frame: NDArray[np.float32], colours: NDArray[np.
 
     def median(flat_m: Array) -> NDArray[np.float32]:
         place = picture_px(mm_from_m(1.0) * flat_m, CORNER_MM, PIXEL_MM)
-        told = np.nan_to_num(sample(frame, place)[:, 0]) > 0.5
-        shown = sample(colours, place[told] if told.any() else place)
+        on_frame = np.nan_to_num(sample(frame, place)[:, 0]) > 0.5
+        shown = sample(colours, place[on_frame] if on_frame.any() else place)
         return np.asarray(np.nanmedian(shown, axis=0), np.float32)
 
     def places(shares: NDArray[np.float64]) -> Array:

@@ -97,17 +97,17 @@ def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, g
     return replace(kinds, around=np.where(kinds.skin[:, None], around[1], around[0]))
 
 
-def is_skin_colour(logs: Array, told: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def is_skin_colour(logs: Array, sure: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which log levels (N, 3) differ from the skin's by no more than lighting explains.
 
     Parameters
     ----------
-    told : (N,)
+    sure : (N,)
         What is skin by its label; the median of these is the skin's colour.
     """
-    if not told.any():
+    if not sure.any():
         return np.ones(len(logs), bool)
-    return np.asarray(beyond_light(logs - np.median(logs[told], axis=0)) < 1.0)
+    return np.asarray(beyond_light(logs - np.median(logs[sure], axis=0)) < 1.0)
 
 
 def continues(rgb: NDArray[np.floating], around: NDArray[np.floating], most: float = 1.0) -> NDArray[np.bool_]:

@@ -80,20 +80,20 @@ class _Wrong(ValueError):
 _RENAMED: Final = {"from": "low", "to": "high"}
 
 
-def _plan(told: dict[str, Any]) -> Plan:
+def _plan(data: dict[str, Any]) -> Plan:
     known = ("name", "sun", "sky", "floor", "wall", "ceiling", "vault", "pillar", "block", "lamp", "photo")
-    for key in told:
+    for key in data:
         if key not in known:
             raise _Wrong(f"{key!r}, which is none of {', '.join(known)}")
-    blocks = [_row(Block, one, "block", {"pillar": False}) for one in _rows(told, "block")]
-    for row in _rows(told, "pillar"):
+    blocks = [_row(Block, one, "block", {"pillar": False}) for one in _rows(data, "block")]
+    for row in _rows(data, "pillar"):
         names, places = row.pop("names", None), row.pop("at", None)
         if not (isinstance(names, list) and isinstance(places, list) and len(names) == len(places)):
             raise _Wrong("a pillar without as many names as places (at)")
         blocks += [_row(Block, {**row, "name": a, "at": b}, "pillar", {"pillar": True})
                    for a, b in zip(names, places, strict=True)]  # fmt: skip
     walls = []
-    for row in _rows(told, "wall"):
+    for row in _rows(data, "wall"):
         if "high" in row:
             row["height"] = row.pop("high")
         openings = row.pop("openings", [])
@@ -102,30 +102,30 @@ def _plan(told: dict[str, Any]) -> Plan:
         made = tuple(_row(Opening, one, "opening", {}, {}) for one in openings)
         walls.append(_row(Wall, row, "wall", {"openings": made}))
     plan = Plan(
-        str(told.get("name", "room")), tuple(_row(Floor, one, "floor") for one in _rows(told, "floor")), tuple(walls),
-        tuple(_row(Ceiling, one, "ceiling") for one in _rows(told, "ceiling")),
-        tuple(_row(Vault, one, "vault") for one in _rows(told, "vault")), tuple(blocks),
-        tuple(_row(Lamp, one, "lamp") for one in _rows(told, "lamp")),
-        tuple(_row(Photographed, one, "photo") for one in _rows(told, "photo")),
-        _row(Sun, told["sun"], "sun") if "sun" in told else None,
-        _row(Sky, told["sky"], "sky") if "sky" in told else Sky((0.0, 0.0, 0.0)),
+        str(data.get("name", "room")), tuple(_row(Floor, one, "floor") for one in _rows(data, "floor")), tuple(walls),
+        tuple(_row(Ceiling, one, "ceiling") for one in _rows(data, "ceiling")),
+        tuple(_row(Vault, one, "vault") for one in _rows(data, "vault")), tuple(blocks),
+        tuple(_row(Lamp, one, "lamp") for one in _rows(data, "lamp")),
+        tuple(_row(Photographed, one, "photo") for one in _rows(data, "photo")),
+        _row(Sun, data["sun"], "sun") if "sun" in data else None,
+        _row(Sky, data["sky"], "sky") if "sky" in data else Sky((0.0, 0.0, 0.0)),
     )  # fmt: skip
     return _checked(plan)
 
 
-def _rows(told: dict[str, Any], name: str) -> list[dict[str, Any]]:
-    rows = told.get(name, [])
+def _rows(data: dict[str, Any], name: str) -> list[dict[str, Any]]:
+    rows = data.get(name, [])
     if not isinstance(rows, list) or not all(isinstance(one, dict) for one in rows) or len(rows) > MOST_PARTS:
         raise _Wrong(f"{name} not as [[{name}]], or more than {MOST_PARTS} of them")
     return [dict(one) for one in rows]
 
 
-def _row(kind: Any, told: Any, name: str, given: dict[str, Any] | None = None, renamed: Any = _RENAMED) -> Any:
+def _row(kind: Any, data: Any, name: str, given: dict[str, Any] | None = None, renamed: Any = _RENAMED) -> Any:
     """Return a record from a table; only numbers in bounds, known names and looks are accepted."""
-    if not isinstance(told, dict):
+    if not isinstance(data, dict):
         raise _Wrong(f"a {name} that is no table")
     given = given or {}
-    own = {renamed.get(key, key): value for key, value in told.items()}
+    own = {renamed.get(key, key): value for key, value in data.items()}
     shown = {value: key for key, value in renamed.items()}
     known = {one.name: one for one in fields(kind) if one.name not in given}
     for key in own:

@@ -154,31 +154,31 @@ def _heading_to(at: Array, goal: Array, otherwise: float) -> float:
 def _staging(film: Film, tracks: Sequence[Track], heads: Sequence[int], middles: Sequence[float]) -> dict[str, Any]:
     """Return the keys of :mod:`cloner.crowd.staged.staging`."""
     keys = sorted(film.keys, key=lambda one: one.when)
-    told: dict[str, Any] = {name: list(value) for name, value in PLAIN.items()}
+    data: dict[str, Any] = {name: list(value) for name, value in PLAIN.items()}
     for name in ("light", "stars", "stops", "lantern"):
-        told[name] = _line([one for one in keys if one.kind == name], tuple(PLAIN[name][0][1:]))
-    told["lantern"] = [[t, x, h, -y, *light] for t, x, y, h, *light in told["lantern"]]
+        data[name] = _line([one for one in keys if one.kind == name], tuple(PLAIN[name][0][1:]))
+    data["lantern"] = [[t, x, h, -y, *light] for t, x, y, h, *light in data["lantern"]]
     curtain = [one for one in keys if one.kind == "curtain"]
-    told["curtain"] = _line(curtain, (0.0 if curtain and curtain[0].values[0] else 1.0,))
-    told["captions"] = [[first, last, text] for first, last, text in film.captions]
-    told["shots"] = _shots(keys)
+    data["curtain"] = _line(curtain, (0.0 if curtain and curtain[0].values[0] else 1.0,))
+    data["captions"] = [[first, last, text] for first, last, text in film.captions]
+    data["shots"] = _shots(keys)
     for who, actor in enumerate(film.actors):
         own = [one for one in keys if who in one.actors]
         stone, up = ([one for one in own if one.kind == name] for name in ("stone", "up"))
         if actor.stone or stone:
-            told["stone"].append([who, _line(stone, (1.0 if actor.stone else 0.0,))])
+            data["stone"].append([who, _line(stone, (1.0 if actor.stone else 0.0,))])
         if actor.up or up:
-            told["up"].append([who, _line(up, (actor.up,))])
+            data["up"].append([who, _line(up, (actor.up,))])
         wakes = next((one.when for one in stone if not one.values[0]), film.seconds)
         if actor.stone:
-            told["wakes"].append([who, wakes])
+            data["wakes"].append([who, wakes])
         hardens = next(
             (one.when + one.seconds for one in stone if one.values[0] and one.when > wakes * actor.stone), None
         )
         if hardens is not None:
-            told["hardens"].append([who, hardens])
-    told["heads"] = [_head(film, k, body, tracks, middles) for k, body in enumerate(heads)]
-    return told
+            data["hardens"].append([who, hardens])
+    data["heads"] = [_head(film, k, body, tracks, middles) for k, body in enumerate(heads)]
+    return data
 
 
 def _line(keys: Sequence[Key], begin: tuple[float, ...]) -> list[list[float]]:
@@ -212,7 +212,7 @@ def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Seque
     actor = film.actors[body]
     x, y = actor.head_at or (0.0, 0.0)
     ground = [x, LIES_M, -y, _heading(actor.facing_deg) + 0.9, LEANS]
-    told: dict[str, Any] = {
+    data: dict[str, Any] = {
         "who": len(film.actors) + k,
         "of": body,
         "path": [[0.0, *ground]],
@@ -220,7 +220,7 @@ def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Seque
     }
     given = next((one for one in film.heads if one[2] == body), None)
     if given is None:
-        return told
+        return data
     when, giver, _, seconds = given
     track = tracks[giver]
     row = track.row(when + LIFTED * seconds)
@@ -230,14 +230,14 @@ def _head(film: Film, k: int, body: int, tracks: Sequence[Track], middles: Seque
     neck = tracks[body].places_m[tracks[body].row(when + seconds)]
     over, up = middles[body] + ABOVE_M, middles[giver] - 0.16
     turn = heading + (np.angle(np.exp(1j * (own - heading))))
-    told["path"] += [
+    data["path"] += [
         [when + TAKEN * seconds, *ground],
         [when + LIFTED * seconds, held[0], up, held[1], turn, 0.0],
         [when + OVER * seconds, neck[0], over + actor.up, neck[1], own, 0.0],
         [when + seconds, neck[0], middles[body] + actor.up, neck[1], own, 0.0],
     ]
-    told["until"] = when + seconds
-    return told
+    data["until"] = when + seconds
+    return data
 
 
 def add_statues(
@@ -255,7 +255,7 @@ def add_statues(
     seconds : how long is acted
     """
     rows, footings, starts = [acted.people], [acted.footings], acted.starts.tolist()
-    told: dict[str, Any] = {name: list(value) for name, value in PLAIN.items()}
+    data: dict[str, Any] = {name: list(value) for name, value in PLAIN.items()}
     for k, (x, z, up, heading, told_s) in enumerate(statues):
         wakes = min(told_s, seconds)  # who never does is seen as at the end
         clone, who = k % len(stock.numbers), len(acted.people) + k
@@ -266,13 +266,13 @@ def add_statues(
             np.array([[0.0, seconds + 1.0, IDLE, -1.0, 0.37, -1.0, x, z, x, z, heading, heading, WALK]], np.float32)
         )
         starts.append(starts[-1] + 1)
-        told["stone"].append([who, [[0.0, 1.0], [told_s, 1.0], [told_s + AWAKENS_S, 0.0]]])
-        told["up"].append([who, [[0.0, up]]])
-        told["wakes"].append([who, wakes])
+        data["stone"].append([who, [[0.0, 1.0], [told_s, 1.0], [told_s + AWAKENS_S, 0.0]]])
+        data["up"].append([who, [[0.0, up]]])
+        data["wakes"].append([who, wakes])
     both = replace(
         acted, people=np.concatenate(rows), footings=np.concatenate(footings), starts=np.array(starts, np.uint32)
     )
-    return both, told
+    return both, data
 
 
 #: A statue of a scenario comes alive in this time, seconds; taste.

@@ -79,8 +79,8 @@ def accept_lent_clones(living: RunningScene, host: str) -> Iterator[str]:
 
 def _admit(token: str, connection: Any, request: Any) -> Any:
     """Return an error response for clients without the token and for pages; None admits."""
-    told = request.path.removeprefix("/")
-    if hmac.compare_digest(told.encode(), token.encode()) and "Origin" not in request.headers:
+    token_part = request.path.removeprefix("/")
+    if hmac.compare_digest(token_part.encode(), token.encode()) and "Origin" not in request.headers:
         return None
     time.sleep(WRONG_S)
     return connection.respond(404, "")
@@ -249,8 +249,8 @@ class _Lender:
                 self.count += 1
                 numbers[mark] = self.count
                 self._send(link, mark, self.count, wanted, body)
-            told = self._told(link, EVERY_S)
-            if "over" in told:
+            message = self._told(link, EVERY_S)
+            if "over" in message:
                 raise ClonerError("the scene is over", "Lend again when it is served again", "ADDRESS")
 
     def _send(self, link: Any, mark: Mark, number: int, wanted: dict[str, Any], body: Any) -> None:

@@ -92,8 +92,8 @@ def parse_clone(row: Any, files: Mapping[str, bytes], facts: Mapping[str, Any], 
     )
     if not fits:
         raise _refusal("numbers.bin")
-    told = {"arrays": row["arrays"], "stature_m": float(row["stature_m"])}
-    return Newcomer(dict(files), told, arrays["touches"], arrays["clips"])
+    data = {"arrays": row["arrays"], "stature_m": float(row["stature_m"])}
+    return Newcomer(dict(files), data, arrays["touches"], arrays["clips"])
 
 
 def _size(data: bytes) -> tuple[int, int]:

@@ -98,8 +98,11 @@ class RunningScene:
         self._minding = threading.RLock()  # whoever touches minds; first, where both are taken
         self._turn = threading.Condition()  # whoever touches what pages are told: nobody thinks meanwhile
         try:
-            told = self.facts["scenario"]
-            self._scenario, self._seed = parse_scenario(str(told["text"]), "the scene's scenario"), int(told["seed"])
+            scenario = self.facts["scenario"]
+            self._scenario, self._seed = (
+                parse_scenario(str(scenario["text"]), "the scene's scenario"),
+                int(scenario["seed"]),
+            )
             if MINDS_FILE not in self.facts["files"]:
                 raise ValueError("an older version's")
         except (LookupError, TypeError, ValueError) as error:

@@ -23,7 +23,7 @@ WEBP_QUALITY: Final = 80  # taste
 
 
 def write_film(
-    pictures: Iterable[Pixels], per_second: float, path: Path, told: str = "",
+    pictures: Iterable[Pixels], per_second: float, path: Path, comment: str = "",
     sound: NDArray[np.floating] | None = None, rate_hz: int = 0,
 ) -> None:  # fmt: skip
     """Write pictures as a film; GIF and WebP repeat for ever.
@@ -35,7 +35,7 @@ def write_film(
     per_second : float
     path : Path
         Its suffix is one of `FORMATS`.
-    told : str
+    comment : str
         What the file says of itself, ASCII: a GIF's comment, a WebP's XMP, a free box behind an MPEG-4.
     sound : (N, 2) left and right, -1..1, of ``rate_hz`` samples a second, or None
         MPEG-4 alone keeps it.
@@ -49,9 +49,9 @@ def write_film(
         _write_mp4(pictures, per_second, path)
         if sound is not None:
             add_sound(path, np.rint(sound * 32767.0).astype(np.int16), rate_hz)
-        if told:
+        if comment:
             with path.open("ab") as stream:  # ISO 14496-12, 8.1.2: a free box may stand anywhere, and is skipped
-                stream.write(struct.pack(">I4s", 8 + len(told), b"free") + told.encode("ascii"))
+                stream.write(struct.pack(">I4s", 8 + len(comment), b"free") + comment.encode("ascii"))
         return
     frames = [Image.fromarray(picture) for picture in pictures]
     if path.suffix.lower() == ".gif":
@@ -60,16 +60,16 @@ def write_film(
         palette = Image.fromarray(sheet).quantize(256, dither=Image.Dither.NONE)
         frames = [frame.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG) for frame in frames]
     options: dict[str, Any] = {"quality": WEBP_QUALITY} if path.suffix.lower() == ".webp" else {}
-    if told:
-        options["xmp" if path.suffix.lower() == ".webp" else "comment"] = told.encode("ascii")
+    if comment:
+        options["xmp" if path.suffix.lower() == ".webp" else "comment"] = comment.encode("ascii")
     rest = frames[1:]
     frames[0].save(path, save_all=True, append_images=rest, duration=round(1000 / per_second), loop=0, **options)
 
 
-def png_text(told: str) -> PngInfo:
+def png_text(comment: str) -> PngInfo:
     """Return the text entries of a picture, for Pillow."""
     info = PngInfo()
-    info.add_text("Software", told)
+    info.add_text("Software", comment)
     return info
 
 

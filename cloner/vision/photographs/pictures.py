@@ -143,8 +143,8 @@ def _read_bytes(path: Path, where: str) -> bytes:
     except FileNotFoundError as error:
         raise ClonerError("the photo is missing", "Put it into the photos folder", where) from error
     except UnsuitableFile as error:
-        told = f"the photo cannot be opened: {error.strerror}"
-        raise ClonerError(told, "Put the photo itself there", where) from error
+        message = f"the photo cannot be opened: {error.strerror}"
+        raise ClonerError(message, "Put the photo itself there", where) from error
     except OSError as error:
         raise ClonerError("the photo cannot be opened", "Check its permissions", where) from error
     if not data:

@@ -108,16 +108,16 @@ def line_pictures(
     own = np.where(inside, labels, np.uint8(Label.BACKGROUND))
     kind = SURFACE_OF[_downscaled(own, min(2.0 * finest, 1.0), cv2.INTER_NEAREST)]
     grey = cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY)
-    told = (kind >= 0).astype(np.float32)
+    known = (kind >= 0).astype(np.float32)
     code = _CODES.take(kind, axis=0, mode="wrap")  # nothing is the last row: zeros
     found = []
     for scale in SCALES[::-1]:
         per_px = min(finest / scale, 1.0)
         height, width = rgb.shape[:2]
         size = (max(round(width * per_px), 1), max(round(height * per_px), 1))
-        grey, told, code = (cv2.resize(each, size, interpolation=cv2.INTER_AREA) for each in (grey, told, code))
+        grey, known, code = (cv2.resize(each, size, interpolation=cv2.INTER_AREA) for each in (grey, known, code))
         found.append(
-            LinePicture(_line_features(grey, code, told, scale * reach.blur_m / metres_per_pixel * per_px), per_px)
+            LinePicture(_line_features(grey, code, known, scale * reach.blur_m / metres_per_pixel * per_px), per_px)
         )
     return found[::-1]
 
@@ -128,13 +128,15 @@ def _downscaled(picture: NDArray[np.uint8], share: float, how: int) -> NDArray[n
     return np.asarray(cv2.resize(picture, size, interpolation=how), np.uint8)
 
 
-def _line_features(grey: NDArray[np.uint8], code: Image, told: Image, sigma: float) -> Image:
+def _line_features(grey: NDArray[np.uint8], code: Image, known: Image, sigma: float) -> Image:
     """Return line features (h, w, 4) of a small picture, blurred by sigma pixels."""
     wide = BACKGROUND_SIGMAS * sigma
     level = np.log(grey.astype(np.float32) + DARK_LEVELS)
     fine = cv2.GaussianBlur(level, (0, 0), sigma) - cv2.GaussianBlur(level, (0, 0), wide)
     contrast = np.sqrt(cv2.GaussianBlur(fine * fine, (0, 0), wide) + FLOOR**2)
-    whole = push_pull(np.asarray(code / np.maximum(told, 1e-6)[..., None], np.float32), (told > 0.5).astype(np.float32))
+    whole = push_pull(
+        np.asarray(code / np.maximum(known, 1e-6)[..., None], np.float32), (known > 0.5).astype(np.float32)
+    )
     return np.dstack([cv2.GaussianBlur(whole, (0, 0), sigma), STRUCTURE * fine / contrast])
 
 

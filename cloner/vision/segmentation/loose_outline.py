@@ -197,10 +197,10 @@ def _sag(mask: Bools, top_px: int, edges: Array, ends: Array, arc: int) -> float
     strip = mask[top_px + first : top_px + int(ends.max()) + 2 * arc, columns]
     length = np.argmin(strip, axis=0)  # rows filled from the strip's top; 0 where all are: a leg
     bulge = np.sqrt(np.clip(1.0 - across**2, 0.0, None))
-    told = (length > 0) & (bulge > 0.3)
-    if told.mean() < 0.1:
+    sagging = (length > 0) & (bulge > 0.3)
+    if sagging.mean() < 0.1:
         return 0.0
-    return float(np.clip(np.median((first + length - 1 - level)[told] / bulge[told]), -arc, 2 * arc))
+    return float(np.clip(np.median((first + length - 1 - level)[sagging] / bulge[sagging]), -arc, 2 * arc))
 
 
 def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[ViewId, tuple[LooseRegion, ...]]:

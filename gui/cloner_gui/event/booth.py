@@ -67,21 +67,21 @@ class Booth(Everybody):
     def open(self, folder: Path) -> None:
         """Open an event's folder, or one visitor's."""
         try:
-            told = ""
+            message = ""
             if is_visitor(folder):
                 check_can_write(folder)
                 self.root, self.settings = None, Event()
             else:
                 check_event_folder(folder)
-                settings, told = open_event(folder)
+                settings, message = open_event(folder)
                 self.root, self.settings = folder, settings
         except (ClonerError, OSError) as error:
             self.failed.emit(error)
             return
         self.event_changed.emit()
         self._follow_settings()
-        if told:
-            self.told.emit(told_sentence(told))
+        if message:
+            self.told.emit(told_sentence(message))
         if self.root is None:
             self.open_visitor(folder)
             return

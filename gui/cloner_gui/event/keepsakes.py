@@ -95,9 +95,11 @@ class Keepsakes(Card):
         content = self.content()
         for one in (self.print_button, self.save_button, self.mail_button):
             one.setEnabled(content is not None)
-        told = None if content is None else (content.title, content.name, content.note, self._link(), content.picture)
-        if told != self._told:  # asked for with everything that changes on the page
-            self._told = told
+        message = (
+            None if content is None else (content.title, content.name, content.note, self._link(), content.picture)
+        )
+        if message != self._told:  # asked for with everything that changes on the page
+            self._told = message
             self.shown.setPixmap(QPixmap() if content is None else self._small(content))
 
     def _take(self, outcome: Cloned, picture: QImage) -> None:

@@ -171,10 +171,10 @@ class VisitorPage(QWidget):
     def _show_opening(self) -> None:
         """Say who is being opened: large photos take a second or two."""
         folder = self._booth.opening
-        told = (
+        message = (
             "" if folder is None else translate("visitor", "Opening {name}…").format(name=self._booth.name_of(folder))
         )
-        self.opening_label.setText(told)
+        self.opening_label.setText(message)
         self.opening_label.setVisible(folder is not None)
         self.list.setEnabled(folder is None)
         self.new_button.setEnabled(folder is None and self._booth.root is not None)

@@ -153,7 +153,7 @@ def test_the_walk_is_written_at_the_end(tmp_path: Path) -> None:
     plan.write_text(TEXT, encoding="utf-8")
     lines: list[str] = []
     done = threading.Thread(
-        daemon=True, target=lambda: lines.extend(guide_file(plan, out, seconds=600.0, told=told.append))
+        daemon=True, target=lambda: lines.extend(guide_file(plan, out, seconds=600.0, report=told.append))
     )
     done.start()
     while len(told) < 2:
@@ -200,6 +200,6 @@ def test_what_cannot_be_run_is_refused_before_anybody_is_let_in(tmp_path: Path) 
     plan.write_text(TEXT, encoding="utf-8")
     told: list[str] = []
     with pytest.raises(ClonerError, match="seconds"):
-        guide_file(plan, tmp_path / "a.walk", seconds=-1.0, told=told.append)
+        guide_file(plan, tmp_path / "a.walk", seconds=-1.0, report=told.append)
     assert not told
     assert not (tmp_path / "a.walk").exists()

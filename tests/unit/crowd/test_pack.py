@@ -205,7 +205,7 @@ def test_bad_words_end_in_one_sentence(results: Path, tmp_path: Path) -> None:
     for text in ('[palette]\nskin = ["#112233"]', "own_share = 3", '[palette]\ntop = ["red"]', "x = 1", "= ="):
         looks.write_text(text)
         with pytest.raises(ClonerError):
-            make_pack([results], tmp_path / "out", replace(WANTED, looks=looks), told=nobody_is_made)
+            make_pack([results], tmp_path / "out", replace(WANTED, looks=looks), report=nobody_is_made)
     assert not (tmp_path / "out").exists()
 
 

@@ -230,7 +230,7 @@ def test_a_refused_person_is_a_row_and_a_sentence(person, monkeypatch):
 
     monkeypatch.setattr(kit_scores, "clone_in_process", refuse)
     told = []
-    rows = evaluate_visitors([person.parent], told=told.append)
+    rows = evaluate_visitors([person.parent], report=told.append)
     assert [(row["visitor"], row["metric"], row["value"]) for row in rows] == [("p00001", "cloned", 0.0)]
     assert told == ["p00001: refused: face_side.jpg: no person found in this photo. Take it again"]
 
@@ -241,6 +241,6 @@ def test_a_defect_costs_one_person_and_no_other_s_rows(person, monkeypatch):
 
     monkeypatch.setattr(kit_scores, "clone_in_process", fail)
     told = []
-    rows = evaluate_visitors([person.parent], told=told.append)
+    rows = evaluate_visitors([person.parent], report=told.append)
     assert [(row["visitor"], row["metric"], row["value"]) for row in rows] == [("p00001", "cloned", 0.0)]
     assert told == ["p00001: not cloned: a defect of Cloner (ZeroDivisionError); report what --verbose says"]

@@ -57,8 +57,12 @@ class ClothEngine(Instance):
 
     def meet(self, skin: Skin) -> None:
         """Set the skin at a frame's beginning and end."""
-        told = self.arrays
-        told["skin_early"][:], told["skin_late"][:], told["skin_normal"][:] = skin.early_m, skin.late_m, skin.normals
+        arrays = self.arrays
+        arrays["skin_early"][:], arrays["skin_late"][:], arrays["skin_normal"][:] = (
+            skin.early_m,
+            skin.late_m,
+            skin.normals,
+        )
 
 
 def push_out_of_skin(places_m: Array, skin: Skin, clear_m: float, deep_m: float, times: int = 1) -> Array:
