@@ -103,7 +103,7 @@ def apart_mm(sources: list[Source], kit: KitTruth) -> float | None:
     generic = load_generic()
     rows = generic.region("face") & generic.skin
     for one in both:
-        rows &= (one.score > 0.0) & (one.sight.cosine > LEAST_COSINE)
+        rows &= (one.score > 0.0) & (one.visibility.cosine > LEAST_COSINE)
     rows[kit.bodies_m[ViewId.FACE_FRONT].shape[0] :] = False
     if rows.sum() < 50:
         return None

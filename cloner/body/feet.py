@@ -68,9 +68,9 @@ class ShoeTip:
 
     def flat(self, points_m: Array) -> Array:
         """Return the directions of points from the middle as (N, 2) on a disc, straight ahead in its centre."""
-        way = (points_m - self.middle) / self.half
-        way /= np.linalg.norm(way, axis=1, keepdims=True)
-        return np.asarray(way[:, :2] / (1.0 + way[:, 2:]))
+        direction = (points_m - self.middle) / self.half
+        direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+        return np.asarray(direction[:, :2] / (1.0 + direction[:, 2:]))
 
     def laid(self, flat: Array) -> Array:
         """Return the points (N, 3) on the hull, metres, for positions on the disc."""

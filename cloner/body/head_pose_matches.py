@@ -53,18 +53,18 @@ def match_face_skin(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, Pos
         if view not in poses or twin not in poses or not {view, twin} <= set(photos.photos):
             continue
         cameras = head_camera(mesh.joints_m, poses[twin]), head_camera(mesh.joints_m, poses[view])
-        ways = [_view_direction(camera, middle) for camera in cameras]
-        if ways[0] @ ways[1] > SAME_WAY:
+        directions = [_view_direction(camera, middle) for camera in cameras]
+        if directions[0] @ directions[1] > SAME_WAY:
             pictures = photos.photos[twin].rgb, photos.photos[view].rgb
-            places = np.array([named_vertex(generic, name) for name in visible_points(ways[0])])
+            places = np.array([named_vertex(generic, name) for name in visible_points(directions[0])])
             wholes = _with_photo_jaw(mesh, poses[twin]), _with_photo_jaw(mesh, poses[view])
             found[view] = match_vertices(places, wholes, cameras, pictures)
     return found
 
 
-def visible_points(way: Array) -> list[str]:
+def visible_points(direction: Array) -> list[str]:
     """Return the names of the points visible to a camera in a direction (3,) from the head."""
-    sides = [0] if way[0] > ASIDE else [1] if way[0] < -ASIDE else [0, 1]
+    sides = [0] if direction[0] > ASIDE else [1] if direction[0] < -ASIDE else [0, 1]
     return [pair[side] for pair in (*PLACES, *EAR) for side in sides]
 
 

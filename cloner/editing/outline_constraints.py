@@ -135,7 +135,7 @@ def make_constraint(
     gap_px = float(np.linalg.norm(away))
     inward = float(away @ found.outward) < 0.0
     outward = found.outward
-    if gap_px > 2.0:  # the way to the nearest point is square to the outline; an edge's own normal is coarser
+    if gap_px > 2.0:  # the way to the nearest point is perpendicular to the outline; an edge's own normal is coarser
         outward = (-away if inward else away) / gap_px
     metric, skin = generic_metric(), candidate_skin(target, params)
     if target.name.startswith(ANCHOR):

@@ -14,7 +14,7 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.cameras.visibility import front_facing, visibility
+from cloner.geometry.cameras.visibility import compute_visibility, front_facing
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -116,10 +116,10 @@ def _seen_labels(
         joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64)
     )
     triangles = body_triangles()
-    sight = visibility(posed_m, triangles, posed.camera, front_facing(posed_m, triangles, posed.camera))
-    good = (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+    visibility = compute_visibility(posed_m, triangles, posed.camera, front_facing(posed_m, triangles, posed.camera))
+    good = (visibility.cosine > LEAST_COSINE) & visibility.visible_vertices()
     rows = np.flatnonzero(good & generic.skin)
-    return rows, sight.cosine[rows], labels_at(labels, sight.pixel_px[rows])
+    return rows, visibility.cosine[rows], labels_at(labels, visibility.pixel_px[rows])
 
 
 def _slices(generic: GenericHuman, name: str, bare: Array) -> Array:

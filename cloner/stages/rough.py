@@ -104,7 +104,7 @@ def shape_slices(
 
     The occluding points of front and back photos set the width, those of the side
     photo the depth; arms have front and back silhouettes only (paper §3.6). What no
-    photo shows square to a seen width keeps the section's shape.
+    photo shows perpendicular to a seen width keeps the section's shape.
     """
     generic = load_generic()
     sides = {photo.view is ViewId.BODY_SIDE for photo in photos}

@@ -75,11 +75,11 @@ class Field:
 
     def of_each(self, points_m: Array) -> Array:
         """Return (N, B) the field of each blob at points (N, 3)."""
-        way = self.last_m - self.first_m
-        length2 = np.maximum(np.einsum("ba,ba->b", way, way), 1e-12)
+        direction = self.last_m - self.first_m
+        length2 = np.maximum(np.einsum("ba,ba->b", direction, direction), 1e-12)
         off = points_m[:, None] - self.first_m
-        along = np.clip(np.einsum("nba,ba->nb", off, way) / length2, 0.0, 1.0)
-        off -= along[..., None] * way
+        along = np.clip(np.einsum("nba,ba->nb", off, direction) / length2, 0.0, 1.0)
+        off -= along[..., None] * direction
         off /= self.wide
         radius = REACH * (self.radius_m[:, 0] + along * (self.radius_m[:, 1] - self.radius_m[:, 0]))
         inside = np.maximum(1.0 - np.einsum("nba,nba->nb", off, off) / radius**2, 0.0)

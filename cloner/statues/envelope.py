@@ -81,9 +81,9 @@ def _axes(generic: GenericHuman, vertices_m: Array, joints_m: Array) -> Array:
         if first < 0:
             continue
         share = generic.segment_weights[:, number].astype(np.float64)
-        way = joints_m[last] - joints_m[first]
-        along = np.clip((vertices_m - joints_m[first]) @ way / float(way @ way), 0.0, 1.0)
-        place += share[:, None] * (joints_m[first] + along[:, None] * way)
+        direction = joints_m[last] - joints_m[first]
+        along = np.clip((vertices_m - joints_m[first]) @ direction / float(direction @ direction), 0.0, 1.0)
+        place += share[:, None] * (joints_m[first] + along[:, None] * direction)
         total += share
     return np.asarray(np.where(total[:, None] > 0.0, place / np.maximum(total, 1e-9)[:, None], vertices_m))
 

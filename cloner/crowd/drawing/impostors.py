@@ -153,7 +153,7 @@ def side_likeness(
     clouds, count = _pose_extents(cast, body, clip), len(clip.frames)
     tiles = []
     for azimuth in _SIDES:
-        left, right = (axes(way * azimuth, wanted.elevations[0]) for way in (1.0, -1.0))
+        left, right = (axes(direction * azimuth, wanted.elevations[0]) for direction in (1.0, -1.0))
         for pose in range(0, clip.poses, max(clip.poses // 4, 1)):
             frame = pose * (count // clip.poses)
             tile = _tile(number, frame, left, clouds[pose], wanted.texels_per_m)
@@ -191,9 +191,10 @@ def _plan(
         clouds = _pose_extents(cast, body, clip)
         for elevation in wanted.elevations:
             for view in baked_views(seen[number], wanted.views):
-                way = axes(view * 2.0 * np.pi / wanted.views, elevation)
+                direction = axes(view * 2.0 * np.pi / wanted.views, elevation)
                 found += [
-                    _tile(number, pose * every, way, cloud, wanted.texels_per_m) for pose, cloud in enumerate(clouds)
+                    _tile(number, pose * every, direction, cloud, wanted.texels_per_m)
+                    for pose, cloud in enumerate(clouds)
                 ]
     return found, starts
 
@@ -210,8 +211,8 @@ def _pose_extents(cast: CrowdClone, body: BodyLevels, clip: Clip) -> list[Array]
     return clouds
 
 
-def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) -> Tile:
-    seen = cloud @ way.T
+def _tile(clip: int, frame: int, direction: Array, cloud: Array, texels_per_m: float) -> Tile:
+    seen = cloud @ direction.T
     plane = seen[:, :2] * (BAKED_FROM_M / (BAKED_FROM_M - seen[:, 2:]))
     low = plane.min(axis=0) - _MARGIN / texels_per_m
     high = plane.max(axis=0) + _MARGIN / texels_per_m
@@ -219,7 +220,7 @@ def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) 
     middle = (low + high) / 2.0
     half = size / (2.0 * texels_per_m)
     box = (*(middle - half).tolist(), *(middle + half).tolist())
-    return Tile(clip, frame, way, box, (int(size[0]), int(size[1])))
+    return Tile(clip, frame, direction, box, (int(size[0]), int(size[1])))
 
 
 def _pack_tiles(tiles: Sequence[Tile], page_wide: int) -> tuple[list[tuple[int, int]], int]:

@@ -18,7 +18,7 @@ from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
-from cloner.geometry.cameras.visibility import visibility
+from cloner.geometry.cameras.visibility import compute_visibility
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -125,14 +125,14 @@ def _texels_near_outline(
     clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _TruthWithDistances
 ) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
     """Return pixels (N, 2) and colours (N, 3) of the texels that the camera sees near the true outline."""
-    sight = visibility(pose_clone(clone, generic, seen.rotations).vertices_m, atlas.triangles, seen.camera)
-    values = atlas.interpolate(np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine]))
+    visibility = compute_visibility(pose_clone(clone, generic, seen.rotations).vertices_m, atlas.triangles, seen.camera)
+    values = atlas.interpolate(np.column_stack([visibility.pixel_px, visibility.depth_m, visibility.cosine]))
     height, width = judged.truth.mask.shape
     column, row = np.rint(values[:, :2]).astype(np.int64).T
     inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
     near = np.zeros(len(values), bool)
     near[inside] = np.abs(judged.signed_px[row[inside], column[inside]]) < NEAR_PX * judged.scale
-    near &= sight.visible(values[:, :2], values[:, 2], values[:, 3])
+    near &= visibility.visible(values[:, :2], values[:, 2], values[:, 3])
     return np.stack([column[near], row[near]], axis=1), clone.atlas.rgb.reshape(-1, 3)[atlas.texel[near]]
 
 

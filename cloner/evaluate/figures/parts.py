@@ -12,7 +12,7 @@ from cloner.evaluate.figures.origins import TexelOrigins
 from cloner.evaluate.truths.kit import KitTruth
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.cameras.visibility import depth_at, depth_picture, visibility
+from cloner.geometry.cameras.visibility import compute_visibility, depth_at, depth_picture
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.records.views import Camera
@@ -85,10 +85,10 @@ def _true_labels(origins: TexelOrigins, kit: KitTruth, on_body: Flags) -> tuple[
     rows = np.flatnonzero(on_body)
     for view, labels in kit.labels.items():
         camera, body_m = kit.truth.views[view].camera, kit.bodies_m[view]
-        sight = visibility(body_m, triangles, camera)
-        table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine])
+        visibility = compute_visibility(body_m, triangles, camera)
+        table = np.column_stack([visibility.pixel_px, visibility.depth_m, visibility.cosine])
         values = np.einsum("nk,nkc->nc", origins.barycentric[rows], table[origins.vertices[rows]])
-        visible = sight.visible(values[:, :2], values[:, 2], values[:, 3])
+        visible = visibility.visible(values[:, :2], values[:, 2], values[:, 3])
         found, place = rows[visible], np.rint(values[visible, :2]).astype(int)
         height, width = labels.shape
         inside = (place >= 0).all(axis=1) & (place < (width, height)).all(axis=1)

@@ -15,7 +15,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import vertex_uv
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
-from cloner.geometry.cameras.visibility import visibility
+from cloner.geometry.cameras.visibility import compute_visibility
 from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.arrays import Array
@@ -107,12 +107,12 @@ def _photo_jumps(clone: Clone, generic: GenericHuman, photos: Photos, edges: Edg
         if view not in clone.views:
             continue
         seen = clone.views[view]
-        sight = visibility(
+        visibility = compute_visibility(
             pose_clone(clone, generic, seen.rotations).vertices_m, triangles[skin].astype(np.int32), seen.camera
         )
-        cosine = np.where(sight.visible(sight.pixel_px, sight.depth_m, sight.cosine), sight.cosine, -1.0)
+        cosine = np.where(visibility.visible_vertices(), visibility.cosine, -1.0)
         both = cosine[edges].min(axis=1)
-        jump = colour_jumps(sample(photo, sight.pixel_px), edges)
+        jump = colour_jumps(sample(photo, visibility.pixel_px), edges)
         found, best = np.where(both > best, jump, found), np.maximum(both, best)
     return np.where(np.isnan(found), found[_mirrored_edges(generic, edges)], found)
 

@@ -51,6 +51,10 @@ class Visibility:
     behind_m: NDArray[np.float32]
     metres_per_pixel: float
 
+    def visible_vertices(self) -> NDArray[np.bool_]:
+        """Return (V,) which vertices are visible."""
+        return self.visible(self.pixel_px, self.depth_m, self.cosine)
+
     def mirrored(self, mirror: NDArray[np.integer]) -> Visibility:
         """Return the visibility with every vertex where its mirror twin is."""
         return Visibility(
@@ -121,7 +125,7 @@ def front_facing(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -
     return np.asarray(triangles[first[:, 0] * second[:, 1] < first[:, 1] * second[:, 0]])  # y runs down in photos
 
 
-def visibility(
+def compute_visibility(
     posed_m: Array, triangles: NDArray[np.int32], camera: Camera, occluders: NDArray[np.int32] | None = None
 ) -> Visibility:
     """Return the visibility of a posed mesh.

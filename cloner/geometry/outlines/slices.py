@@ -95,7 +95,7 @@ def occluding_pairs(
 ) -> SlicePairs:
     """Return the occluding points of a segment's slices and their silhouette pixels.
 
-    The silhouette pixel of an occluding point is where the slice's line (square to
+    The silhouette pixel of an occluding point is where the slice's line (perpendicular to
     the segment's axis in the picture) leaves the photo's outline. The paper takes
     the pixel at the same proportion along the outline piece; both agree on a
     straight part, and the crossing needs no outline piece without gaps.
@@ -220,7 +220,7 @@ def aspect_shift(pairs: SlicePairs, vertices_m: Array, points_m: Array, s: Array
 
     A photo tells nothing of the section along its own line of sight. Where no other
     photo does, the section keeps its shape: ratio of new to old distance of the two
-    occluding points, applied square to them and to the segment's axis.
+    occluding points, applied perpendicular to them and to the segment's axis.
 
     Parameters
     ----------

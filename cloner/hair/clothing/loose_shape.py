@@ -136,8 +136,8 @@ def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, bo
     one, cloth stands off before and behind the body as it does at the sides.
     """
     reach = np.linspace(0.0, FARTHEST_M, STEPS)
-    way = directions(ring_angles(HULL_COLUMNS))
-    flat = centres_m[:, None, None, :] + reach[:, None] * way[None, :, None, :]
+    direction = directions(ring_angles(HULL_COLUMNS))
+    flat = centres_m[:, None, None, :] + reach[:, None] * direction[None, :, None, :]
     high = np.broadcast_to(heights_m[:, None, None], flat.shape[:3])
     points = np.stack([flat[..., 0], high, flat[..., 1]], axis=-1).reshape(-1, 3)
     wide = [np.abs(v.across(points)) ** ROUNDNESS for v in views if v.posed.view is not ViewId.BODY_SIDE]
@@ -146,7 +146,7 @@ def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, bo
     if deep:
         total = total + deep[0].reshape(total.shape)
     else:
-        total = total + _depth_guesses(total, reach, way, body_m) ** ROUNDNESS
+        total = total + _depth_guesses(total, reach, direction, body_m) ** ROUNDNESS
     outside = total > 1.0
     outside[..., -1] = True
     first = np.maximum(np.argmax(outside, axis=-1), 1)[..., None]
@@ -155,10 +155,10 @@ def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, bo
     return np.asarray(reach[first[..., 0] - 1] + part * (reach[1] - reach[0]))
 
 
-def _depth_guesses(wide: Array, reach: Array, way: Array, body_m: Array) -> Array:
+def _depth_guesses(wide: Array, reach: Array, direction: Array, body_m: Array) -> Array:
     """Return the guessed depths (K, HULL_COLUMNS, STEPS) between the front (1) and the back of cloth."""
-    sides = [int(np.argmax(way[:, 0])), int(np.argmin(way[:, 0]))]
+    sides = [int(np.argmax(direction[:, 0])), int(np.argmin(direction[:, 0]))]
     out = [reach[np.argmax(wide[:, side] > 1.0, axis=-1)] - body_m[:, side] for side in sides]
     off = np.maximum(np.mean(out, axis=0), 0.0)
-    deep = 0.5 * (body_m[:, int(np.argmax(way[:, 1]))] + body_m[:, int(np.argmin(way[:, 1]))]) + off
-    return np.asarray(np.abs(way[None, :, None, 1] * reach) / np.maximum(deep, 0.02)[:, None, None])
+    deep = 0.5 * (body_m[:, int(np.argmax(direction[:, 1]))] + body_m[:, int(np.argmin(direction[:, 1]))]) + off
+    return np.asarray(np.abs(direction[None, :, None, 1] * reach) / np.maximum(deep, 0.02)[:, None, None])

@@ -97,8 +97,8 @@ def find_peak(views: list[HairView], proposals: Proposals, cap_m: Array, least_m
     middle = tuple(0.5 * (above[:, axis].min() + above[:, axis].max()) for axis in (0, 2))
     for name in SIDES:
         for view in (view for view in views if view.posed.view is name and view.flip_m is None):
-            for way in FACING:
-                profile = peak_profile(view, proposals, above, middle, way)
+            for direction in FACING:
+                profile = peak_profile(view, proposals, above, middle, direction)
                 peak = profile and _with_front_measures(headwear_views(views, proposals), profile, above, middle)
                 if peak:
                     return peak
@@ -106,12 +106,12 @@ def find_peak(views: list[HairView], proposals: Proposals, cap_m: Array, least_m
 
 
 def peak_profile(
-    view: HairView, proposals: Proposals, cap_m: Array, middle_m: tuple[float, float], way: float
+    view: HairView, proposals: Proposals, cap_m: Array, middle_m: tuple[float, float], direction: float
 ) -> PeakProfile | None:
     """Return the thin run of headwear beyond the cap in a side photo, None where there is none."""
     out = np.arange(0.0, float(np.abs(cap_m[:, 2] - middle_m[1]).max()) + REACH_M, STEP_M)
     heights = np.arange(cap_m[:, 1].min(), cap_m[:, 1].max(), STEP_M)
-    x, y, z = np.broadcast_arrays(middle_m[0], heights[:, None], middle_m[1] + way * out[None, :])
+    x, y, z = np.broadcast_arrays(middle_m[0], heights[:, None], middle_m[1] + direction * out[None, :])
     points = np.stack([x, y, z], axis=-1).reshape(-1, 3)
     pixel = view.posed.camera.project(view.to_view(points))
     shown = (sample(np.maximum(view.outline_px, view.hair_px), pixel)[:, 0] > 0.0).reshape(len(heights), len(out))
@@ -143,7 +143,7 @@ def peak_profile(
     # The edge, an ellipse seen from its side, hangs by the arch times this share.
     hanging = (1.0 - (out / out[-1]) ** 2)[: len(out) // 2]
     arch = float(np.median((top[-1] - thickness - bottom[: len(out) // 2]) / hanging))
-    return PeakProfile(way, out, top, thickness, float(np.clip(arch, 0.0, m_from_mm(MOST_ARCH_MM))))
+    return PeakProfile(direction, out, top, thickness, float(np.clip(arch, 0.0, m_from_mm(MOST_ARCH_MM))))
 
 
 def _run_around(column: NDArray[np.bool_], row: int) -> tuple[int, int] | None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.cameras.visibility import Visibility, visibility
+from cloner.geometry.cameras.visibility import Visibility, compute_visibility
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -103,7 +103,7 @@ def paint_shell(
     pictures = _pictures(photos, usable)
     shell = (vertices_m, skin_joints, skin_weights, atlas.triangles)
     sights = list(parallel_map(lambda view: _visibility(generic, joined, view, *shell), usable))
-    seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
+    seen = [_claim(view, visibility) for view, visibility in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
     widest = int(np.argmax(claims.sum(axis=1) * own))
@@ -140,7 +140,7 @@ class _ColourSource:
     """
 
     picture: NDArray[np.uint8]
-    sight: Visibility
+    visibility: Visibility
     claim: Array
     light: Array
 
@@ -158,12 +158,12 @@ def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> lis
     return [picture_of[view.posed.view] for view in views]
 
 
-def _claim(view: ShellView, sight: Visibility) -> Array:
+def _claim(view: ShellView, visibility: Visibility) -> Array:
     """Return how well (N,) a photo shows each vertex, 0 where it does not."""
-    seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+    seen = visibility.visible_vertices()
     claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
-    near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
-    return np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0)
+    near = sample(view.inside_px, visibility.pixel_px)[:, 0] > -2.0 * BAND_PX
+    return np.where(seen & near, claim * np.clip(visibility.cosine, 0.0, 1.0), 0.0)
 
 
 def _normalised_colours(
@@ -180,7 +180,7 @@ def _normalised_colours(
     """
     colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
     # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
-    square = [np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0) for sight in sights]
+    square = [np.clip((visibility.cosine - 0.5) / 0.5, 0.0, 1.0) for visibility in sights]
     trusts = np.stack([np.where(claim > 0.0, part, 0.0) for claim, part in zip(seen, square, strict=True)])
     hold = np.where(np.arange(len(pictures)) == first, REFERENCE_HOLD, 1.0)
     basis = light_basis(normals)
@@ -208,10 +208,10 @@ def _extended_colours(graph: SurfaceGraph, sure: Array, summed: Array, mean: Arr
 def _texture_layer(atlas: AtlasMap, shown: _ColourSource) -> Layer:
     """Return one photo's layer of a shell's texture."""
     rows = atlas.rows_of(np.any((shown.claim > 0.0)[atlas.triangles], axis=1))
-    sight = shown.sight
-    table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, shown.claim, shown.light])
+    visibility = shown.visibility
+    table = np.column_stack([visibility.pixel_px, visibility.depth_m, visibility.cosine, shown.claim, shown.light])
     values = atlas.interpolate(table, rows)
-    good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
+    good = visibility.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
     values, texel = values[good], atlas.texel[rows[good]]
     image, known = np.zeros((*atlas.shape, 3), np.float32), np.zeros(atlas.shape, np.float32)
     _flat(image)[texel] = apply_light(sample(shown.picture, values[:, :2]), values[:, 5:])
@@ -249,7 +249,7 @@ def _visibility(
         faces = triangles[:, ::-1]
         skin_joints = mirror_joints(generic)[skin_joints]
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.posed.rotations)
-    return visibility(
+    return compute_visibility(
         linear_blend_skinning(points, transforms, skin_joints, skin_weights),
         np.ascontiguousarray(faces),
         view.posed.camera,

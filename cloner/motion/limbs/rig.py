@@ -90,7 +90,7 @@ def limb_ring(side: str, first: str, last: str, share: float) -> Ring:
 
 @functools.cache
 def _cut(side: str, place: tuple[float, ...], across: tuple[float, ...]) -> Ring:
-    """Return the ring in which the plane through ``place`` square to ``across`` cuts the generic human nearby."""
+    """Return the ring in which the plane through ``place``, normal to ``across``, cuts the generic human nearby."""
     generic = load_generic()
     vertices = generic.vertices_m.astype(np.float64)
     origin, normal = np.array(place), _unit(np.array(across))

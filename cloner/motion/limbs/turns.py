@@ -12,7 +12,7 @@ from cloner.records.arrays import Array
 def rotations_between(first: Array, second: Array) -> Array:
     """Return the smallest rotations (..., 3, 3) from directions ``first`` (..., 3) to ``second``.
 
-    Opposite directions turn about whatever axis is square to them.
+    Opposite directions turn about whatever axis is perpendicular to them.
     """
     a = np.asarray(first / np.linalg.norm(first, axis=-1, keepdims=True))
     b = np.asarray(second / np.linalg.norm(second, axis=-1, keepdims=True))

@@ -157,10 +157,10 @@ def paint_table(
     around = np.zeros_like(light) if kinds.around is None else kinds.around
     return np.column_stack(
         [
-            source.sight.pixel_px,
+            source.visibility.pixel_px,
             source.lookup_px,
-            source.sight.depth_m,
-            source.sight.cosine,
+            source.visibility.depth_m,
+            source.visibility.cosine,
             share,
             hair_allowed(generic),
             hair_kept(generic),
@@ -226,7 +226,7 @@ def _paint_rows(
     clash = np.abs(np.maximum(skin, own) - bare)
     unsure = (weight > OWNER_SHARE) & (np.abs(bare - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
-    unsafe = source.sight.before_edge(pixel, depth, cosine)
+    unsafe = source.visibility.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     doubtful = np.flatnonzero(good & (cosine < SQUARE) & (kinds[7] > 0.5))
     blurred = shown_colours(source, lookup[doubtful], skin[doubtful], blurred=True)

@@ -21,7 +21,7 @@ from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS
 from cloner.vision.retouching.normalising import log_levels
 
-SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
+SQUARE: Final = 0.5  # cosine from which a view of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise
 #: Arms have no sleeves where more skin than cloth is seen, and more than so many vertices, from the shoulders' tops
 #: down by so much, beside the neck (two real portraits in straps: 8 and 14 against 0 and 5; in a shirt 0 against 22).
@@ -137,7 +137,7 @@ def nearness_to_seen(sources: list[Source], graph: SurfaceGraph) -> Array:
 
 
 def _shown(sources: list[Source]) -> NDArray[np.bool_]:
-    return np.asarray(np.any([(s.score > 0.0) & (s.sight.cosine > SQUARE) for s in sources], axis=0), bool)
+    return np.asarray(np.any([(s.score > 0.0) & (s.visibility.cosine > SQUARE) for s in sources], axis=0), bool)
 
 
 def _shown_cloth(sources: list[Source], kinds: Materials) -> NDArray[np.bool_]:

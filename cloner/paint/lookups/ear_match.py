@@ -47,7 +47,7 @@ def shift_ear(
     generic: GenericHuman,
     posed_m: Array,
     triangles: NDArray[np.int32],
-    sight: Visibility,
+    visibility: Visibility,
     hair: NDArray[np.bool_],
     view: ViewId,
     lookup_px: Array,
@@ -58,7 +58,7 @@ def shift_ear(
     ----------
     posed_m : (V, 3) vertices as in the photo
     triangles : (T, 3) of the skin
-    sight : Sight
+    visibility : Visibility
     hair : (H, W) bool, label
     view : ViewId
         Others than the face's side are left alone: body photos show ears too small.
@@ -67,8 +67,8 @@ def shift_ear(
     if view is not ViewId.FACE_SIDE or not hair.any():
         return lookup_px
     names = ("ear_left", "ear_right")
-    own = generic.region(max(names, key=lambda name: float(sight.cosine[generic.region(name)].mean())))
-    pixel_mm = mm_from_m(sight.metres_per_pixel * DEPTH_SCALE)
+    own = generic.region(max(names, key=lambda name: float(visibility.cosine[generic.region(name)].mean())))
+    pixel_mm = mm_from_m(visibility.metres_per_pixel * DEPTH_SCALE)
     nose_px = lookup_px[generic.feature("nose_tip")]
     rings = _ear_rings(lookup_px, triangles[own[triangles].all(axis=1)], nose_px, RING_MM / pixel_mm)
     if rings is None:

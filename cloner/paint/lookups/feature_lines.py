@@ -72,7 +72,7 @@ def _reach(view: ViewId) -> MatchScales:
 
 def _lines_of(source: Source) -> dict[MatchScales, list[LinePicture]]:
     """Return a photo's line features at the scales of faces and of bodies."""
-    matted, pixel_m = source.matted, source.sight.metres_per_pixel * DEPTH_SCALE
+    matted, pixel_m = source.matted, source.visibility.metres_per_pixel * DEPTH_SCALE
     wanted = (FACE, BODY) if source.view.is_face else (BODY,)
     return {reach: line_pictures(matted.rgb, matted.labels, matted.inside_px > 0.0, pixel_m, reach) for reach in wanted}
 
@@ -95,7 +95,7 @@ def _aligned(
             if (look := _shared_samples(atlas, source, other, part))
         ]
         if shared:
-            pixel_m = source.sight.metres_per_pixel * DEPTH_SCALE
+            pixel_m = source.visibility.metres_per_pixel * DEPTH_SCALE
             field = match_lines(lines[source.view][reach], shared, pixel_m, reach)
             lookup[part] += field.at(source.lookup_px[part])
     return source if (lookup == source.lookup_px).all() else replace(source, lookup_px=lookup)
@@ -105,10 +105,10 @@ def _shared_samples(atlas: AtlasMap, source: Source, other: Source, part: NDArra
     """Return the samples of some vertices (V,) that two sources both show, None where there are none."""
     seen = part.copy()
     for one in (source, other):
-        seen &= (one.score > 0.0) & (one.sight.cosine > LEAST_COSINE)
+        seen &= (one.score > 0.0) & (one.visibility.cosine > LEAST_COSINE)
     rows = atlas.rows_of(np.asarray(seen[atlas.triangles].all(axis=1), np.bool_))
     if not rows.size:
         return None
-    table = np.column_stack([source.lookup_px, other.lookup_px, source.sight.cosine, other.sight.cosine])
+    table = np.column_stack([source.lookup_px, other.lookup_px, source.visibility.cosine, other.visibility.cosine])
     values = atlas.interpolate(table, rows)
     return SharedSamples(values[:, :2], values[:, 2:4], np.clip(np.minimum(values[:, 4], values[:, 5]), 0.0, 1.0))

@@ -53,7 +53,7 @@ def flatten_halves(
     def gains(k: int) -> Array:
         source, (low, high) = sources[k], SEEN_COSINE
         shown = np.where(
-            (source.score > 0.0) & skin, np.clip((source.sight.cosine - low) / (high - low), 0.0, 1.0), 0.0
+            (source.score > 0.0) & skin, np.clip((source.visibility.cosine - low) / (high - low), 0.0, 1.0), 0.0
         )
         both = np.minimum(shown, shown[twin])
         if source.view.is_side or np.count_nonzero(both) < LEAST_PAIRS:
@@ -115,7 +115,7 @@ def flatten_slants(
     if not shown.any():
         return np.zeros(len(skin))
     level = (claim[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-12)[:, None]
-    faced = np.stack([np.where(source.score > 0.0, source.sight.cosine, 0.0) for source in sources]).max(axis=0)
+    faced = np.stack([np.where(source.score > 0.0, source.visibility.cosine, 0.0) for source in sources]).max(axis=0)
     trust = shown * np.clip((faced - FACED[0]) / (FACED[1] - FACED[0]), 0.0, 1.0)
     own = graph.fill(level, np.maximum(shown, UNSEEN), SLANT_STIFFNESS)
     gap = graph.fill(level, np.maximum(trust, UNSEEN * shown), SLANT_STIFFNESS) - own

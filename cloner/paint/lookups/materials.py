@@ -16,12 +16,12 @@ from cloner.records.labels import GARMENTS, SURFACE_OF, SURFACES, labels_at
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.normalising import beyond_light, log_levels
 
-SQUARE = 0.5  # cosine from which a sight is believed by itself
+SQUARE = 0.5  # cosine from which a view is believed by itself
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
 #: Bareness at which a texel begins to be skin and is all skin (taste).
 KIND_STEP = (0.25, 0.75)
 SPREAD_STIFFNESS = 0.02  # what is seen squarely holds, other vertices follow their neighbours
-MAJORITY = 0.3  # weight of what most of a body part is, against one square sight
+MAJORITY = 0.3  # weight of what most of a body part is, against one frontal view
 SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
 CUFF_SHARE = 0.35  # of the hand: how far cuffs reach from the wrist
 BARE_HAND = 0.7  # of what is seen of a hand: more skin than that and it wears no glove
@@ -84,7 +84,7 @@ def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, g
     colours : (K, V, 3) levels, not yet evened
     """
     logs = np.asarray(log_levels(colours), np.float64)
-    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
+    square = np.stack([np.where(s.visibility.cosine > SQUARE, s.score, 0.0) for s in sources])
     if not square.any():
         return kinds
     bare = square * kinds.skin

@@ -145,7 +145,7 @@ def _without_one_sided_light(
 
 def _comparison_weights(source: Source) -> Array:
     """Return weights (V,) for comparing photos; mirrored ones count little, as halves differ."""
-    steep = np.clip((source.sight.cosine - TRUSTED_COSINE) / (1.0 - TRUSTED_COSINE), 0.0, 1.0)
+    steep = np.clip((source.visibility.cosine - TRUSTED_COSINE) / (1.0 - TRUSTED_COSINE), 0.0, 1.0)
     return np.where(source.score > 0.0, steep, 0.0) * (0.25 if source.mirrored else 1.0)
 
 

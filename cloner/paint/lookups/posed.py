@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, linear_blend_skinning
-from cloner.geometry.cameras.visibility import Visibility, depth_picture, visibility
+from cloner.geometry.cameras.visibility import Visibility, compute_visibility, depth_picture
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -42,27 +42,27 @@ class PosedPerson:
     Attributes
     ----------
     posed_m : (V, 3) float64
-    sight : Sight
+    visibility : Visibility
     hair_m : (h, w) float32
         Depth of the nearest shell, inf where there is none.
     """
 
     posed_m: Array
-    sight: Visibility
+    visibility: Visibility
     hair_m: NDArray[np.float32]
 
     @property
     def shown(self) -> NDArray[np.bool_]:
         """Return the pixels (h, w) that body or shells cover, at ``DEPTH_SCALE``."""
-        return np.asarray(np.isfinite(self.sight.nearest_m) | np.isfinite(self.hair_m), bool)
+        return np.asarray(np.isfinite(self.visibility.nearest_m) | np.isfinite(self.hair_m), bool)
 
 
 def pose_person(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> PosedPerson:
     """Return the person with body and shells in front of one photo's camera."""
     posed = posed_vertices(generic, joined, view)
-    sight = visibility(posed, body_triangles(), view.camera)
-    hair_m = np.full_like(sight.nearest_m, np.inf)
+    visibility = compute_visibility(posed, body_triangles(), view.camera)
+    hair_m = np.full_like(visibility.nearest_m, np.inf)
     for shell in shells:
         shape = posed_shell(generic, joined, view, shell)
         hair_m = np.minimum(hair_m, depth_picture(shape, shell.triangles, view.camera))
-    return PosedPerson(posed, sight, hair_m)
+    return PosedPerson(posed, visibility, hair_m)

@@ -45,7 +45,7 @@ BROW_CLAIM: Final = 2.0  # of its usual claim has the photo that faces the brows
 def reject_grazing(generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials) -> list[Source]:
     """Return the sources without grazing lookups that differ from their surroundings.
 
-    The top of a shoulder takes the colour of the neck behind it, a jaw that of a collar. Such a sight is believed where
+    The top of a shoulder takes the colour of the neck behind it, a jaw that of a collar. Such a view is believed where
     it agrees with what photos show squarely nearby; if it is not too slant, cloth may have stripes of its own.
 
     Parameters
@@ -59,9 +59,9 @@ def reject_grazing(generic: GenericHuman, sources: list[Source], colours: Array,
     shown = shown_bare_share(generic, sources)
     found = []
     for k, source in enumerate(sources):
-        alike = continues(colours[k], kinds.around) | ((source.sight.cosine > PATTERNED) & ~kinds.skin)
+        alike = continues(colours[k], kinds.around) | ((source.visibility.cosine > PATTERNED) & ~kinds.skin)
         alike &= np.abs(shown[k] - kinds.bare) < STRANGE_KIND
-        found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
+        found.append(replace(source, score=source.score * ((source.visibility.cosine > SQUARE) | alike)))
     return found
 
 
@@ -115,7 +115,7 @@ def reject_slanted(generic: GenericHuman, sources: list[Source], evened: Array, 
 def _angle_claim(generic: GenericHuman, source: Source, photos: frozenset[ViewId]) -> Array:
     """Return a photo's claim (V,) by its viewing angle alone; 0 where it does not show the surface."""
     share = photo_shares(generic, source.view, photos=photos) * (mirrored_share() if source.mirrored else 1.0)
-    return np.where(source.score > 0.0, share * np.clip(source.sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)
+    return np.where(source.score > 0.0, share * np.clip(source.visibility.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)
 
 
 def _dark_before_skin(sources: list[Source], claim: Array, level: Array, graph: SurfaceGraph) -> NDArray[np.bool_]:
@@ -126,7 +126,7 @@ def _dark_before_skin(sources: list[Source], claim: Array, level: Array, graph: 
     claim : (K, V) by angle
     level : (K, V) logarithms of brightness after evening
     """
-    cosine = np.stack([source.sight.cosine for source in sources])
+    cosine = np.stack([source.visibility.cosine for source in sources])
     telling = (claim > 0.0) & (cosine > TELLING)
     skin = np.where(telling, level, -np.inf).max(axis=0)
     dark = (level < skin - FACE_GAP) & (cosine < SLANTED) & (claim > 0.0)

@@ -56,7 +56,7 @@ class Source:
     view : ViewId
     mirrored : bool
     matted : Plate
-    sight : Sight
+    visibility : Visibility
     lookup_px : (V, 2) float64
         Where the photo shows each vertex after the outlines were aligned.
     hair_m : (h, w) float32
@@ -70,7 +70,7 @@ class Source:
     view: ViewId
     mirrored: bool
     matted: MattedPhoto
-    sight: Visibility
+    visibility: Visibility
     lookup_px: Array
     hair_m: NDArray[np.float32]
     hair: NDArray[np.uint8]
@@ -97,7 +97,7 @@ def gather_sources(
         posed_person = pose_person(generic, joined, shells, joined.views[view])
         mask = person_mask(view, proposals.views[view], silhouettes)
         if not view.is_face:  # a face photo's shoulders hang in no known pose
-            mask = remove_outside_body(mask, posed_person.shown, BESIDE_M / posed_person.sight.metres_per_pixel)
+            mask = remove_outside_body(mask, posed_person.shown, BESIDE_M / posed_person.visibility.metres_per_pixel)
             mask = own.without_room(photos.photos[view].rgb, mask)
         photo, proposal = photos.photos[view].rgb, proposals.views[view]
         if glasses:
@@ -132,10 +132,10 @@ def make_source(
     taken: frozenset[ViewId],
 ) -> tuple[Source, float]:
     """Return one photo as a source, and the mean distance between outlines before the shift, px."""
-    sight = posed_person.sight
-    fitted = generic.region("face") & (sight.cosine > FITTED_COSINE)
-    lookup, gap = align(sight, matted, limits, sight.pixel_px[fitted] if view.is_face else None)
-    lookup = shift_ear(generic, posed_person.posed_m, body_triangles(), sight, matted.hair, view, lookup)
+    visibility = posed_person.visibility
+    fitted = generic.region("face") & (visibility.cosine > FITTED_COSINE)
+    lookup, gap = align(visibility, matted, limits, visibility.pixel_px[fitted] if view.is_face else None)
+    lookup = shift_ear(generic, posed_person.posed_m, body_triangles(), visibility, matted.hair, view, lookup)
     if matted.lips_px is not None:
         grid = mouth_grid()
         lookup[grid.rings, 1] += SHARE[:, None] * drop_from_borders(
@@ -150,22 +150,26 @@ def make_source(
     hair = cv2.dilate(matted.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
     if np.isfinite(hair_m).any():
         hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * matted.figure_px)] = 0
-    source = Source(view, False, matted, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
-    seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
-    seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
+    source = Source(view, False, matted, visibility, lookup, hair_m, hair, np.zeros(len(lookup)))
+    seen = visible_points(source, limits, visibility.pixel_px, lookup, visibility.depth_m, visibility.cosine)
+    seen &= ~covered_by_hair(
+        source, visibility.pixel_px, lookup, visibility.depth_m, hair_allowed(generic), hair_kept(generic)
+    )
     if view is ViewId.BODY_SIDE:
         seen &= ~(arms_beside_head(generic) & near_bare_head(generic, matted, lookup))
         seen &= in_arm_zone(generic, matted, lookup)
     share = photo_shares(generic, view, photos=taken)
-    share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
+    share = np.where(
+        visibility.before_edge(visibility.pixel_px, visibility.depth_m, visibility.cosine), UNSAFE_CLAIM * share, share
+    )
     # Where a photo is burnt out another one shows more, if it faces the surface better.
-    square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
+    square = np.clip((visibility.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
     share = share * np.maximum(np.maximum(exposure_confidence(sample(matted.blurred, lookup)), square), BURNT_CLAIM)
-    return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
+    return replace(source, score=share * np.where(seen, np.clip(visibility.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
 def align(
-    sight: Visibility, matted: MattedPhoto, limits: Limits, placed_px: Array | None = None
+    visibility: Visibility, matted: MattedPhoto, limits: Limits, placed_px: Array | None = None
 ) -> tuple[Array, float]:
     """Return lookups (V, 2) after the mesh's outline was moved to the photo's, and the distance, px.
 
@@ -173,13 +177,13 @@ def align(
     them, do not move it.
     """
     height, width = matted.inside_px.shape
-    small = np.isfinite(sight.nearest_m).astype(np.float32)
+    small = np.isfinite(visibility.nearest_m).astype(np.float32)
     mesh_mask = cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR) > 0.5
     limit = limits.shift_share * matted.figure_px
     growth = 2 * int(np.ceil(limit)) + 1
     usable = cv2.dilate(matted.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
     field, gap = outline_shift(mesh_mask, matted.inside_px, usable, limit, placed_px)
-    return shift_points(sight.pixel_px, field), gap
+    return shift_points(visibility.pixel_px, field), gap
 
 
 def shown_colours(
@@ -207,7 +211,7 @@ def mirror_source(generic: GenericHuman, source: Source) -> Source:
     return replace(
         source,
         mirrored=True,
-        sight=source.sight.mirrored(twin),
+        visibility=source.visibility.mirrored(twin),
         lookup_px=source.lookup_px[twin],
         score=mirrored_share() * source.score[twin],
     )
@@ -219,7 +223,7 @@ def mirror_hidden(generic: GenericHuman, source: Source) -> Source:
     A turned head shows one cheek and ear at a slant, its edge stretched, and the other ones well.
     """
     mirrored = mirror_source(generic, source)
-    slant = (source.sight.cosine < SQUARE_COSINE[0]) & (mirrored.score > source.score)
+    slant = (source.visibility.cosine < SQUARE_COSINE[0]) & (mirrored.score > source.score)
     hidden = always_bare(generic) & ((source.score <= 0.0) | slant)
     return replace(mirrored, score=np.where(hidden, mirrored.score, 0.0))
 
@@ -233,7 +237,7 @@ def visible_points(
     cosine: NDArray[np.floating],
 ) -> NDArray[np.bool_]:
     """Return which surface points (N,) the photo shows, hair left aside."""
-    seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
+    seen = source.visibility.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
     near = sample(source.matted.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.matted.figure_px
     opening = sample(source.matted.openings.view(np.uint8), lookup_px)[:, 0] > 0.5
     return seen & near & ~opening

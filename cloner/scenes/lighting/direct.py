@@ -28,11 +28,11 @@ def sun_direction(sun: Sun) -> Array:
     return np.array([np.sin(turn) * np.cos(rise), np.sin(rise), -np.cos(turn) * np.cos(rise)])
 
 
-def orthogonal_pair(way: Array) -> Array:
+def orthogonal_pair(direction: Array) -> Array:
     """Return (2, 3) unit vectors perpendicular to a direction and to each other."""
-    first = np.cross(way, [0.0, 0.0, 1.0] if abs(way[2]) < 0.9 else [1.0, 0.0, 0.0])
+    first = np.cross(direction, [0.0, 0.0, 1.0] if abs(direction[2]) < 0.9 else [1.0, 0.0, 0.0])
     first /= np.linalg.norm(first)
-    return np.array([first, np.cross(way, first)])
+    return np.array([first, np.cross(direction, first)])
 
 
 def sun_share(panel: Panel, grid: Grid, stops: RayQuads, sun: Sun) -> Array:
@@ -40,12 +40,12 @@ def sun_share(panel: Panel, grid: Grid, stops: RayQuads, sun: Sun) -> Array:
 
     Each texel asks from ``SUN_SAMPLES`` places in it for as many places of the sun, so that borders of light are even.
     """
-    way = sun_direction(sun)
-    cosine = float(panel.normal @ way)
+    direction = sun_direction(sun)
+    cosine = float(panel.normal @ direction)
     seen = np.zeros(grid.there.shape)
     if cosine <= 1e-4:
         return seen
-    across = orthogonal_pair(way)
+    across = orthogonal_pair(direction)
     k = np.arange(SUN_SAMPLES) + 0.5
     disc = SUN_RADIUS * np.sqrt(k / SUN_SAMPLES)[:, None] * np.column_stack([np.cos(2.4 * k), np.sin(2.4 * k)])
     moved = np.column_stack([(k * 0.7549) % 1.0, (k * 0.5698) % 1.0]) - 0.5  # Roberts' R2 sequence
@@ -58,7 +58,7 @@ def sun_share(panel: Panel, grid: Grid, stops: RayQuads, sun: Sun) -> Array:
             place = places + (jitter[0] * step[0]) * panel.along + (jitter[1] * step[1]) * panel.up
             u, v = (place - panel.corner) @ panel.along, (place - panel.corner) @ panel.up
             place = panel.at(np.clip(u, 1e-3, panel.size[0] - 1e-3), np.clip(v, 1e-3, panel.size[1] - 1e-3))
-            total += stops.unblocked_along(place, way + off @ across, across)
+            total += stops.unblocked_along(place, direction + off @ across, across)
         seen[rows, columns][wanted] = total * (cosine / SUN_SAMPLES)
     return seen
 

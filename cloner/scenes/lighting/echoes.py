@@ -60,13 +60,19 @@ def energies(room: Room, source: Array, ear: Array, rays: int = RAYS) -> Array:
     straight = float(np.linalg.norm(ear - source))
     if stops.visible_from(ear, source[None])[0]:
         out[_slot(straight)] += 1.0 / (4.0 * np.pi * straight**2)
-    at, ways = np.repeat(source[None], rays, axis=0), sphere_directions(rays)
+    at, directions = np.repeat(source[None], rays, axis=0), sphere_directions(rays)
     left, far = np.full(rays, 1.0 / rays), np.zeros(rays)
     while len(at):
-        quad, away = _hits(stops, at, ways)
+        quad, away = _hits(stops, at, directions)
         there = quad >= 0
-        at, ways, quad, left, far = at[there], ways[there], quad[there], left[there], far[there] + away[there]
-        at = at + ways * away[there, None]
+        at, directions, quad, left, far = (
+            at[there],
+            directions[there],
+            quad[there],
+            left[there],
+            far[there] + away[there],
+        )
+        at = at + directions * away[there, None]
         left = left * (1.0 - takes[quad])
         normal = stops.normal[quad]
         at = at + normal * 1e-4
@@ -78,9 +84,9 @@ def energies(room: Room, source: Array, ear: Array, rays: int = RAYS) -> Array:
         slots = ((far[seen] + reach[seen]) / SPEED_M_S / STEP_S).astype(int)
         short = slots < len(out)
         np.add.at(out, slots[short], (left * cosine / (np.pi * np.maximum(reach, 0.3) ** 2))[seen][short])
-        ways = _scattered(normal, rng)
+        directions = _scattered(normal, rng)
         on = (left > LEFT / rays) & (far < LONGEST_S * SPEED_M_S)
-        at, ways, left, far = at[on], ways[on], left[on], far[on]
+        at, directions, left, far = at[on], directions[on], left[on], far[on]
     return out
 
 
@@ -88,13 +94,13 @@ def _slot(far_m: float) -> int:
     return int(far_m / SPEED_M_S / STEP_S)
 
 
-def _hits(stops: RayQuads, at: Array, ways: Array) -> tuple[NDArray[np.int64], Array]:
+def _hits(stops: RayQuads, at: Array, directions: Array) -> tuple[NDArray[np.int64], Array]:
     """Return the first hit of each ray, -1 for none, and its distance, metres."""
-    falls = ways @ stops.normal.T
+    falls = directions @ stops.normal.T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         away = ((stops.corner * stops.normal).sum(axis=1) - at @ stops.normal.T) / falls
-        a = at @ stops.along.T + away * (ways @ stops.along.T) - (stops.corner * stops.along).sum(axis=1)
-        b = at @ stops.up.T + away * (ways @ stops.up.T) - (stops.corner * stops.up).sum(axis=1)
+        a = at @ stops.along.T + away * (directions @ stops.along.T) - (stops.corner * stops.along).sum(axis=1)
+        b = at @ stops.up.T + away * (directions @ stops.up.T) - (stops.corner * stops.up).sum(axis=1)
         hit = (falls < -1e-9) & (away > 1e-5) & (np.abs(a - 0.5) <= 0.50001) & (np.abs(b - 0.5) <= 0.50001)
     away = np.where(hit, away, np.inf)
     nearest = away.argmin(axis=1)
@@ -104,10 +110,10 @@ def _hits(stops: RayQuads, at: Array, ways: Array) -> tuple[NDArray[np.int64], A
 
 def _scattered(normal: Array, rng: np.random.Generator) -> Array:
     """Return (N, 3) directions off surfaces, distributed by their cosine."""
-    ways = rng.normal(size=normal.shape)
-    ways /= np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9)
-    ways = ways + normal
-    return np.asarray(ways / np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-9))
+    directions = rng.normal(size=normal.shape)
+    directions /= np.maximum(np.linalg.norm(directions, axis=1, keepdims=True), 1e-9)
+    directions = directions + normal
+    return np.asarray(directions / np.maximum(np.linalg.norm(directions, axis=1, keepdims=True), 1e-9))
 
 
 def reverberation_s(energy: Array) -> float:

@@ -196,11 +196,11 @@ def _gather_weights(
     room: Room, lattice: list[Grid], stops: RayQuads, portals: RayQuads, patches: Patches, rays: int, progress: Progress
 ) -> tuple[list[csr_matrix], list[Array]]:
     """Return for each panel its nodes' shares of all cells, (nodes there, cells), and the sky's light on them."""
-    ways, sky = hemisphere_directions(rays), np.array(room.plan.sky.light)
+    directions, sky = hemisphere_directions(rays), np.array(room.plan.sky.light)
     met, light = [], []
     done, whole = 0, sum(int(one.there.sum()) for one in lattice)
     for panel, grid in zip(room.panels, lattice, strict=True):
-        turned = ways @ np.array([panel.along, panel.up, panel.normal])
+        turned = directions @ np.array([panel.along, panel.up, panel.normal])
         places = grid.places[grid.there] + panel.normal * 1e-3
         cells = np.zeros((len(places), rays), np.int32)
         own = np.zeros((len(places), 3))

@@ -38,7 +38,7 @@ def make_probes(room: Room, lit: Lit, progress: Progress = no_progress) -> Probe
     light = np.zeros((len(HEIGHTS_M), nz, nx, 3, 4), np.float32)
     sun = np.zeros(light.shape[:3], np.float32)
     there = np.zeros(light.shape[:3], bool)
-    ways = sphere_directions(RAYS)
+    directions = sphere_directions(RAYS)
     for h, height in enumerate(HEIGHTS_M):
         for z in range(nz):
             for x in range(nx):
@@ -46,28 +46,30 @@ def make_probes(room: Room, lit: Lit, progress: Progress = no_progress) -> Probe
                 if not _is_free(room, place):
                     continue
                 there[h, z, x] = True
-                light[h, z, x], sun[h, z, x] = make_probe(room, lit, place, ways)
+                light[h, z, x], sun[h, z, x] = make_probe(room, lit, place, directions)
             progress("probes", (h * nz + z + 1) / (len(HEIGHTS_M) * nz))
         light[h], sun[h] = fill_missing(light[h], there[h]), fill_missing(sun[h], there[h])
     return Probes(corner, np.array(HEIGHTS_M), STEP_M, light, sun)
 
 
-def make_probe(room: Room, lit: Lit, place: Array, ways: Array) -> tuple[Array, float]:
+def make_probe(room: Room, lit: Lit, place: Array, directions: Array) -> tuple[Array, float]:
     """Return the (3, 4) incoming light at a point, and the visible share of the sun."""
-    quad, _, where = lit.stops.first_hits(place, ways)
+    quad, _, where = lit.stops.first_hits(place, directions)
     given = lit.patches.given[cells_at(lit.patches, quad, where)]
-    given[(quad < 0) & (ways[:, 1] > 0.0)] = room.plan.sky.light
-    found = np.concatenate([given.mean(axis=0)[:, None], 2.0 * (given.T @ ways) / len(ways)], axis=1)
+    given[(quad < 0) & (directions[:, 1] > 0.0)] = room.plan.sky.light
+    found = np.concatenate([given.mean(axis=0)[:, None], 2.0 * (given.T @ directions) / len(directions)], axis=1)
     for lamp in room.plan.lamps:
-        way = from_plan(*lamp.at) - place
-        way /= np.linalg.norm(way)
-        share = float(lamp_share_at(place[None], way, lit.stops, lamp)[0])
-        found += np.outer(lamp.light, share * np.concatenate([[0.25], 0.5 * way]))
+        direction = from_plan(*lamp.at) - place
+        direction /= np.linalg.norm(direction)
+        share = float(lamp_share_at(place[None], direction, lit.stops, lamp)[0])
+        found += np.outer(lamp.light, share * np.concatenate([[0.25], 0.5 * direction]))
     seen = 0.0
     if room.plan.sun:
-        way = sun_direction(room.plan.sun)
-        around = place + AROUND_M * np.concatenate([np.zeros((1, 3)), orthogonal_pair(way), -orthogonal_pair(way)])
-        seen = float(lit.stops.unblocked_along(around, way, orthogonal_pair(way)).mean())
+        direction = sun_direction(room.plan.sun)
+        around = place + AROUND_M * np.concatenate(
+            [np.zeros((1, 3)), orthogonal_pair(direction), -orthogonal_pair(direction)]
+        )
+        seen = float(lit.stops.unblocked_along(around, direction, orthogonal_pair(direction)).mean())
     return found, seen
 
 

@@ -33,14 +33,14 @@ class RayQuads:
         self.low, self.high = self.corners.min(axis=1), self.corners.max(axis=1)
 
     def first_hits(
-        self, origin: Array, ways: Array, normal: Array | None = None
+        self, origin: Array, directions: Array, normal: Array | None = None
     ) -> tuple[NDArray[np.int64], Array, Array]:
         """Return the first hits of rays from one origin.
 
         Parameters
         ----------
         origin : (3,)
-        ways : (R, 3) directions
+        directions : (R, 3) directions
         normal : (3,)
             Of the surface on which the place lies: what is behind it is left out.
 
@@ -51,10 +51,10 @@ class RayQuads:
         """
         held = np.flatnonzero(self._facing(origin, normal))
         if not len(held):
-            return np.full(len(ways), -1), np.full(len(ways), np.inf), np.zeros((len(ways), 2))
-        away, a, b = self._intersect(origin, ways, held)
+            return np.full(len(directions), -1), np.full(len(directions), np.inf), np.zeros((len(directions), 2))
+        away, a, b = self._intersect(origin, directions, held)
         nearest = away.argmin(axis=1)
-        rows = np.arange(len(ways))
+        rows = np.arange(len(directions))
         t = away[rows, nearest]
         found = np.where(np.isfinite(t), held[nearest], -1)
         return found, t.astype(np.float64), np.stack([a[rows, nearest], b[rows, nearest]], axis=1).astype(np.float64)
@@ -65,9 +65,9 @@ class RayQuads:
             front &= ((self.corners - origin) @ normal).max(axis=1) > 1e-4
         return np.asarray(front)
 
-    def _intersect(self, origin: Array, ways: Array, held: NDArray[np.int64]) -> tuple[Array, Array, Array]:
+    def _intersect(self, origin: Array, directions: Array, held: NDArray[np.int64]) -> tuple[Array, Array, Array]:
         """Return distances (inf for misses) and both coordinates, each (R, H)."""
-        ways32 = ways.astype(np.float32)
+        ways32 = directions.astype(np.float32)
         corner = self.corner[held] - origin
         height = (corner * self.normal[held]).sum(axis=1).astype(np.float32)
         falls = ways32 @ self.normal[held].T.astype(np.float32)
@@ -91,18 +91,18 @@ class RayQuads:
         away, _, _ = self._intersect(place, targets - place, held)
         return np.asarray(away.min(axis=1) >= 1.0 - 1e-3)
 
-    def unblocked_along(self, places: Array, way: Array, across: Array) -> NDArray[np.bool_]:
+    def unblocked_along(self, places: Array, direction: Array, across: Array) -> NDArray[np.bool_]:
         """Return which of nearby (N, 3) points are unblocked along a direction.
 
         Parameters
         ----------
         places : (N, 3)
-        way : (3,) unit, towards the sun
-        across : (2, 3) unit, square to it and each other
+        direction : (3,) unit, towards the sun
+        across : (2, 3) unit, perpendicular to it and each other
         """
         flat, mine = self.corners @ across.T, places @ across.T
         near = (flat.min(axis=1) <= mine.max(axis=0)).all(axis=1) & (flat.max(axis=1) >= mine.min(axis=0)).all(axis=1)
-        falls = self.normal @ way
+        falls = self.normal @ direction
         held = np.flatnonzero(near & (falls > 1e-6))
         if not len(held):
             return np.ones(len(places), bool)
@@ -111,8 +111,8 @@ class RayQuads:
         corner = self.corner[held] - base
         height = (corner * self.normal[held]).sum(axis=1)
         away = (height - own @ self.normal[held].T) / falls[held]
-        a = own @ self.along[held].T + away * (self.along[held] @ way) - (corner * self.along[held]).sum(axis=1)
-        b = own @ self.up[held].T + away * (self.up[held] @ way) - (corner * self.up[held]).sum(axis=1)
+        a = own @ self.along[held].T + away * (self.along[held] @ direction) - (corner * self.along[held]).sum(axis=1)
+        b = own @ self.up[held].T + away * (self.up[held] @ direction) - (corner * self.up[held]).sum(axis=1)
         hit = (away > 1e-3) & (np.abs(a - 0.5) <= 0.5 + SLACK) & (np.abs(b - 0.5) <= 0.5 + SLACK)
         return np.asarray(~hit.any(axis=1))
 

@@ -39,7 +39,7 @@ def striped():
 def compared(sources, view):
     """Return (V,) what a view and the front both see well of trunk and legs."""
     front, own = (next(s for s in sources if s.view is which) for which in (ViewId.BODY_FRONT, view))
-    both = (front.score > 0.0) & (own.score > 0.0) & (front.sight.cosine > 0.4) & (own.sight.cosine > 0.4)
+    both = (front.score > 0.0) & (own.score > 0.0) & (front.visibility.cosine > 0.4) & (own.visibility.cosine > 0.4)
     generic = load_generic()
     height = generic.vertices_m[:, 1]
     return both & ~arms(generic) & (height > 0.1) & (height < 1.4)

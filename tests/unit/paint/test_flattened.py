@@ -26,7 +26,7 @@ def _ribbon():
 
 
 def _photo(view):
-    return SimpleNamespace(view=view, score=np.ones(3 * ROWS), sight=SimpleNamespace(cosine=np.ones(3 * ROWS)))
+    return SimpleNamespace(view=view, score=np.ones(3 * ROWS), visibility=SimpleNamespace(cosine=np.ones(3 * ROWS)))
 
 
 def _after(rgb, view):
@@ -81,7 +81,9 @@ def test_a_dark_strip_between_two_photos_is_lit_as_the_skin_around_it_and_a_nost
     logs = np.full((1, len(face), 3), 5.0)
     logs[:, strip] -= 0.1
     logs[:, nostril] -= 1.0
-    photo = SimpleNamespace(score=np.ones(len(face)), sight=SimpleNamespace(cosine=np.where(strip | nostril, 0.5, 1.0)))
+    photo = SimpleNamespace(
+        score=np.ones(len(face)), visibility=SimpleNamespace(cosine=np.where(strip | nostril, 0.5, 1.0))
+    )
     gain = flatten_slants(generic, [photo], logs, np.ones(len(face), bool), graph)
     assert 0.04 < np.median(gain[strip]) < 0.1  # about half of it: the rest may be the person
     assert gain[nostril].mean() < 0.05  # of 1: only its rim

@@ -22,7 +22,7 @@ def seen(shown):
         view=ViewId.BODY_FRONT,
         mirrored=False,
         score=np.ones(count),
-        sight=SimpleNamespace(cosine=np.ones(count)),
+        visibility=SimpleNamespace(cosine=np.ones(count)),
         matted=SimpleNamespace(labels=picture),
         lookup_px=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
     )

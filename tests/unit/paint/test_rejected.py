@@ -34,7 +34,7 @@ class Photo:
     labels: np.ndarray | int = 0
 
     @property
-    def sight(self):
+    def visibility(self):
         return SimpleNamespace(cosine=self.cosine)
 
     @property

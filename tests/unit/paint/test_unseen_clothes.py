@@ -36,7 +36,7 @@ def portrait(generic, vertices, collar_m):
         view=ViewId.FACE_FRONT,
         mirrored=False,
         score=seen.astype(float),
-        sight=SimpleNamespace(cosine=np.where(seen, 1.0, -1.0)),
+        visibility=SimpleNamespace(cosine=np.where(seen, 1.0, -1.0)),
         matted=SimpleNamespace(skin=picture, labels=labels, bare=picture > 0),
         lookup_px=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
     )

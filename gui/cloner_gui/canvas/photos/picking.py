@@ -76,7 +76,7 @@ def partner(name: str) -> str:
 def partner_place(points: ViewPoints, name: str) -> Array | None:
     """Return the (2,) pixel where a point's partner would be, were the person as symmetric as they stand; or None.
 
-    The mirror is the line through the middles of all other pairs, square to what joins them.
+    The mirror is the line through the middles of all other pairs, perpendicular to what joins them.
     """
     other, place = partner(name), points.get(name)
     if points.view not in _FLAT or not other or place is None:
