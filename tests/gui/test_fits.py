@@ -47,7 +47,7 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     page, files on their way, somebody who failed and somebody in the trash."""
     from cloner.booth.photos.photo_problems import PhotoProblem
 
-    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.local_addresses", lambda: ("127.0.0.1",))
     monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
     monkeypatch.setattr("cloner.booth.phone.parcel.SIZE_PX", (24, 36))
     monkeypatch.setattr("cloner.booth.phone.parcel.LARGE_PX", (24, 36))

@@ -16,7 +16,7 @@ pytestmark = [pytest.mark.gui, pytest.mark.slow]
 @pytest.fixture
 def reopen(qtbot, monkeypatch):
     """Open the event again, as the operator does, and let it settle."""
-    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.local_addresses", lambda: ("127.0.0.1",))
     monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
 
     def again(world):

@@ -130,7 +130,7 @@ def test_the_page_for_telephones_is_off_until_it_is_switched_on_and_takes_its_co
     samples,
     monkeypatch,
 ):
-    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.local_addresses", lambda: ("127.0.0.1",))
     monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
     monkeypatch.setattr(parcel, "SIZE_PX", (24, 36))
     monkeypatch.setattr(parcel, "LARGE_PX", (24, 36))
