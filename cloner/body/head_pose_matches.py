@@ -17,7 +17,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.head.jaw import jaw_opening_rad, with_open_jaw
 from cloner.head.size import head_camera
-from cloner.head.skin_matches import PLACES, SkinMatches, match_vertices, named_vertex
+from cloner.head.skin_matches import PLACES, SkinMatches, match_vertices
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.photos import PhotoSet
@@ -56,7 +56,7 @@ def match_face_skin(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, Pos
         directions = [_view_direction(camera, middle) for camera in cameras]
         if directions[0] @ directions[1] > SAME_WAY:
             pictures = photos.photos[twin].rgb, photos.photos[view].rgb
-            places = np.array([named_vertex(generic, name) for name in visible_points(directions[0])])
+            places = np.array([generic.feature(name) for name in visible_points(directions[0])])
             wholes = _with_photo_jaw(mesh, poses[twin]), _with_photo_jaw(mesh, poses[view])
             found[view] = match_vertices(places, wholes, cameras, pictures)
     return found

@@ -147,7 +147,9 @@ class GenericHuman:
         return self.joint_names.index(name)
 
     def feature(self, name: str) -> int:
-        """Return the vertex of a named feature."""
+        """Return the vertex of a named feature, or of an MPEG-4 feature point (FDP) such as ``"2.13"``."""
+        if name in self.fdp_names:
+            return int(self.fdp_vertices[self.fdp_names.index(name)])
         return int(self.feature_vertices[self.feature_names.index(name)])
 
     def region(self, name: str) -> BoolArray:

@@ -112,7 +112,7 @@ def match_front_to_side(
     side: int,
 ) -> SkinMatches:
     """Return ``PLACES`` of the front photo matched in the side photo; side 0 is the person's left."""
-    places = np.array([named_vertex(generic, pair[side]) for pair in PLACES])
+    places = np.array([generic.feature(pair[side]) for pair in PLACES])
     return match_vertices(places, wholes, cameras, pictures)
 
 
@@ -174,10 +174,3 @@ def _best_displacements(maps: dict[int, Array], steps: Array) -> list[tuple[int,
         if alike[best] > ALIKE and rivals.max() < RIVAL * alike[best]:
             found.append((row, steps[best], float(alike[best])))
     return found
-
-
-def named_vertex(generic: GenericHuman, name: str) -> int:
-    """Return the vertex of a feature point or an MPEG-4 feature point (FDP)."""
-    if name in generic.feature_names:
-        return generic.feature(name)
-    return int(generic.fdp_vertices[generic.fdp_names.index(name)])

@@ -26,17 +26,11 @@ def face_curves(generic: GenericHuman) -> dict[str, list[int]]:
     graph = _edges(generic)
     out = {}
     for name, (stops, count) in STOPS.items():
-        path = _forward(generic, _path(graph, [_vertex(generic, stop) for stop in stops]))
+        path = _forward(generic, _path(graph, [generic.feature(stop) for stop in stops]))
         out[name] = _even(generic, path, count)
         if name.endswith("_L"):
             out[name[:-1] + "R"] = [int(generic.mirror[vertex]) for vertex in out[name]]
     return out
-
-
-def _vertex(generic: GenericHuman, name: str) -> int:
-    if name in generic.feature_names:
-        return generic.feature(name)
-    return int(generic.fdp_vertices[generic.fdp_names.index(name)])
 
 
 def _edges(generic: GenericHuman) -> csr_matrix:

@@ -82,8 +82,7 @@ def test_it_blinks_in_its_idle_and_both_motions_have_clocks(wrl) -> None:
     assert "DEF idle_clock TimeSensor { cycleInterval 6.0000 loop TRUE startTime -1 stopTime 0 }" in text
     assert "ROUTE touch.touchTime TO idle_clock.set_startTime" in text
     keys, points = pictures(text, "idle_skin_0")
-    lid = np.searchsorted(np.unique(load_surfaces()[0].vertex), load_generic().fdp_vertices[
-        load_generic().fdp_names.index("3.1")])  # fmt: skip
+    lid = np.searchsorted(np.unique(load_surfaces()[0].vertex), load_generic().feature("3.1"))
     blink = int(np.abs(keys - 1.7 / 6.0).argmin())
     assert points[blink - 2 : blink + 3, lid, 1].min() < points[0, lid, 1] - 0.002, "an upper lid comes down"
 

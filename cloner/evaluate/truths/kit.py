@@ -23,7 +23,6 @@ from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthV
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.head.jaw import JOINT as JAW
-from cloner.head.skin_matches import named_vertex
 from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.vision.photographs.pictures import read_picture
@@ -179,7 +178,7 @@ def _read_view(
 def _with_shut_mouth(body_m: Array, bodies: Mapping[str, Array]) -> Array:
     """Return a naked body (V, 3) with the jaw of the pose in which the lips lie nearest, laid there by the skull."""
     generic = load_generic()
-    upper, lower = (named_vertex(generic, name) for name in _LIPS)
+    upper, lower = (generic.feature(name) for name in _LIPS)
     shut = min(bodies.values(), key=lambda body: float(np.linalg.norm(body[upper] - body[lower])))
     skull, jaw = generic.region("scalp")[: len(body_m)], generic.carried_by(JAW)[: len(body_m)] > 0.0
     laid = transform_points(fit_similarity(shut[skull], body_m[skull], scale=False), shut)

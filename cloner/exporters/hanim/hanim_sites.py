@@ -190,17 +190,15 @@ def _middle(figure: _Figure) -> _Rows:
 def _head(figure: _Figure) -> _Rows:
     """Return the left points of head and neck; the orbit's rim lies a third of the way from pupil to nostril."""
     feature, skull = figure.generic.feature, "skullbase"
-    corner = figure.generic.fdp_vertices[figure.generic.fdp_names.index("2.13")]
-    upper, lower = (
-        np.asarray(figure.generic.vertices_m[figure.generic.fdp_vertices[figure.generic.fdp_names.index(name)]])
-        for name in ("10.9", "10.7")
-    )  # where the ear's upper and lower end meet the face
+    corner = feature("2.13")
+    # Where the ear's upper and lower end meet the face.
+    upper, lower = (np.asarray(figure.generic.vertices_m[feature(name)]) for name in ("10.9", "10.7"))
     pupil, nostril = figure.at("pupil_L"), figure.at("ala_L")
     rim = np.array([pupil[0], pupil[1] + (nostril[1] - pupil[1]) / 3.0, pupil[2] - 0.02])
     return (
         ("l_infraorbitale_pt", skull, figure.exit(rim, _Z, "head")),
         ("l_tragion_pt", skull, figure.nearest((upper + lower) / 2.0, "head")),
-        ("l_gonion_pt", skull, int(corner)),
+        ("l_gonion_pt", skull, corner),
         ("l_neck_base_pt", "vc7", feature("neck_base_L")),
     )
 
