@@ -90,7 +90,7 @@ def cloning(event: Path) -> dict[str, float]:
     from PySide6.QtCore import Qt, QTimer
     from PySide6.QtWidgets import QApplication
 
-    from cloner_gui.app import load_the_rest
+    from cloner_gui.app import preload_pages
     from cloner_gui.event.services import process_services
     from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
@@ -98,7 +98,7 @@ def cloning(event: Path) -> dict[str, float]:
     app = QApplication.instance() or QApplication([])
     window = MainWindow(Session(process_services()))
     window.show()
-    load_the_rest()  # as the program does behind its first page
+    preload_pages()  # as the program does behind its first page
     window.booth.open(event)
     beats: list[tuple[float, float]] = []
     heart = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)

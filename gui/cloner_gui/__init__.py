@@ -1,1 +1,1 @@
-"""The window: photos with their points, correcting by hand, cloning, and looking at the result."""
+"""The window: photos with their points, corrections by hand, cloning, and the result."""

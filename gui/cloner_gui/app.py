@@ -1,4 +1,4 @@
-"""Start Qt, catch what escapes, show the window."""
+"""Starts Qt, catches escaping errors, shows the window."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from PySide6.QtWidgets import QApplication
 
 from cloner.booth.events.event import Event
 from cloner.booth.events.recent import RECENT_FILE
-from cloner_gui.background.newest import newest
-from cloner_gui.background.tidying import Tidier
+from cloner_gui.background.newest import shared_latest
+from cloner_gui.background.tidying import GarbageCollector
 from cloner_gui.background.worker import stop_all_tasks
 from cloner_gui.dialogs import catch_everything
 from cloner_gui.event.effort import ClickCounter
 from cloner_gui.event.services import Services, process_services
 from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.theme import dress
+from cloner_gui.theme import apply_theme
 
 #: Exit code of a program that was asked to end, 128 + SIGINT as shells have it.
 STOPPED: Final = 130
@@ -48,8 +48,10 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     waker.timeout.connect(lambda: None)
     waker.start(200)
     usual = Event()
-    dress(app, usual.appearance, big=usual.big, text_percent=usual.text_percent)  # before there are widgets to polish
-    tidier = Tidier()
+    apply_theme(
+        app, usual.appearance, big=usual.big, text_percent=usual.text_percent
+    )  # before there are widgets to polish
+    tidier = GarbageCollector()
     session = Session(services or process_services())
     window = MainWindow(session)
     window.menus.follow()
@@ -60,7 +62,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     app.installEventFilter(counter)
     window.show()
     QTimer.singleShot(0, session.services.start)
-    loader = threading.Thread(target=load_the_rest)
+    loader = threading.Thread(target=preload_pages)
     QTimer.singleShot(0, loader.start)
     if folder is not None:
         QTimer.singleShot(0, lambda: window.open_folder(folder))
@@ -92,8 +94,8 @@ def _quit_on_signals(app: QCoreApplication) -> list[int]:
     return came
 
 
-def load_the_rest() -> None:
-    """Load what the later pages need, while the operator looks at the first one."""
+def preload_pages() -> None:
+    """Import what the later pages need while the operator looks at the first one."""
     for module in (
         "cloner_gui.pages.points",
         "cloner_gui.pages.clone",
@@ -110,7 +112,7 @@ def _delete(*objects: QObject) -> None:
     """
     QCoreApplication.processEvents()  # what a thread still had to say
     stop_all_tasks()  # and what that has begun
-    newest().close()
+    shared_latest().close()
     for one in objects:
         one.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)

@@ -21,7 +21,7 @@ log = logging.getLogger(__name__)
 
 
 def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMessageBox | None:
-    """Ask whether visitors are deleted with everything derived, and do it; None where that is not allowed."""
+    """Ask whether visitors are deleted with everything derived, and do it; None if that is not allowed."""
     if not booth.allowed():
         return None
     names = ", ".join(booth.name_of(folder) for folder in folders[:8]) + (", …" if len(folders) > 8 else "")
@@ -42,7 +42,7 @@ def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMe
 
 
 def ask_to_save_data(booth: Booth, folder: Path, parent: QWidget) -> None:
-    """Ask for a zip file and write everything that is held of a visitor into it."""
+    """Ask for a zip file and write everything that is stored of a visitor into it."""
     if not booth.allowed():
         return
     text = translate("privacy", "Save everything held of {name}").format(name=booth.name_of(folder))
@@ -59,7 +59,7 @@ def ask_to_save_data(booth: Booth, folder: Path, parent: QWidget) -> None:
 
 
 def catch_everything(tell: Callable[[ClonerError], None]) -> None:
-    """Tell errors that escape from a slot; without it Qt only prints them."""
+    """Report errors that escape from a slot; otherwise Qt would only print them."""
 
     def hook(kind: type[BaseException], value: BaseException, trace: TracebackType | None) -> None:
         log.error("unexpected error", exc_info=(kind, value, trace))

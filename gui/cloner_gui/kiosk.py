@@ -1,4 +1,4 @@
-"""The kiosk: the whole screen, no menus, no other visitors; deletion and leaving want the operator's number."""
+"""The kiosk: full screen, no menus, no other visitors; deletion and leaving need the operator's number."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def ask_number(parent: QWidget) -> str:
-    """Ask for the operator's number; "" where nobody types one."""
+    """Ask for the operator's number; "" if none is entered."""
     title = translate("kiosk", "Operator")
     told, fine = QInputDialog.getText(
         parent, title, translate("kiosk", "Number of the operator"), QLineEdit.EchoMode.Password
@@ -25,7 +25,7 @@ def ask_number(parent: QWidget) -> str:
 
 
 class Kiosk(QObject):
-    """Shuts the window for visitors' hands.
+    """Locks the window for visitors.
 
     Parameters
     ----------
@@ -44,14 +44,14 @@ class Kiosk(QObject):
         self._key.activated.connect(self.toggle)
 
     def toggle(self) -> None:
-        """Begin, or end for who knows the number."""
+        """Begin, or end with the right number."""
         if not self.on:
             self._begin()
         elif self.allows():
             self._end()
 
     def allows(self) -> bool:
-        """Return whether something that is the operator's may be done: always outside the kiosk."""
+        """Return whether an operator's action is allowed: always outside the kiosk."""
         if not self.on:
             return True
         if self._door.is_locked():

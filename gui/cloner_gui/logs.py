@@ -13,8 +13,8 @@ _BYTES: Final = 500_000
 _OLD: Final = 2
 
 
-class Discreet(logging.Formatter):
-    """Writes paths from the home folder and the event on without what lies before."""
+class PathShortener(logging.Formatter):
+    """Removes the path to the home folder and the event from logged paths."""
 
     def __init__(self, *private: Path) -> None:
         super().__init__("%(asctime)s %(levelname)s %(name)s: %(message)s")
@@ -29,12 +29,12 @@ class Discreet(logging.Formatter):
 
 
 def log_to(folder: Path) -> logging.Handler:
-    """Write the log into an event's folder from now on; the handler before goes."""
+    """Write the log into an event's folder from now on, instead of the previous one."""
     for old in [one for one in logging.getLogger().handlers if isinstance(one, RotatingFileHandler)]:
         logging.getLogger().removeHandler(old)
         old.close()
     handler = RotatingFileHandler(folder / LOG_FILE, maxBytes=_BYTES, backupCount=_OLD, encoding="utf-8", delay=True)
-    handler.setFormatter(Discreet(Path.home(), folder.resolve(), folder))
+    handler.setFormatter(PathShortener(Path.home(), folder.resolve(), folder))
     handler.setLevel(logging.INFO)
     logging.getLogger().addHandler(handler)
     logging.getLogger("cloner").setLevel(logging.INFO)

@@ -1,4 +1,4 @@
-"""The window: five steps, the bar that says what goes on, and the menus; no logic."""
+"""The window: five steps, the status bar, and the menus; no logic."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from cloner.personal_data.holdings import Holding
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.event.booth import Booth
 from cloner_gui.event.phone import Phone
@@ -24,7 +24,7 @@ from cloner_gui.pages.photos import PhotosPage
 from cloner_gui.pages.takeaway import TakeawayPage
 from cloner_gui.pages.visitor import VisitorPage
 from cloner_gui.shelf import Page, Shelf
-from cloner_gui.widgets.letters import settle
+from cloner_gui.widgets.letters import assign_to_page
 from cloner_gui.widgets.notice import Notice
 from cloner_gui.widgets.pieces import GAP, button, label
 from cloner_gui.widgets.step_bar import StepBar, step_titles
@@ -39,7 +39,7 @@ VISITOR, PHOTOS, POINTS, CLONE, TAKEAWAY = range(len(PAGES))
 
 
 class MainWindow(QMainWindow):
-    """All pages in their order."""
+    """All pages in order."""
 
     def __init__(self, session: Session) -> None:
         super().__init__()
@@ -116,7 +116,7 @@ class MainWindow(QMainWindow):
 
     def sweep(self) -> None:
         """Ask about visitors whose time is over."""
-        newest().ask(self, "overdue", self.booth.overdue_soon(), self._ask_about, self.booth.failed.emit)
+        shared_latest().ask(self, "overdue", self.booth.overdue_soon(), self._ask_about, self.booth.failed.emit)
 
     def _ask_about(self, overdue: tuple[Holding, ...]) -> None:
         """Ask whether visitors whose time is over are deleted, if their event is still open."""
@@ -257,7 +257,7 @@ class MainWindow(QMainWindow):
 
     def _settle_letters(self) -> None:
         """Give every control that is seen a letter of its own; once, however many pages said that they changed."""
-        settle(self.menuBar(), (self.back, self.aside, self.next), self.stack.page(self.stack.currentIndex()))
+        assign_to_page(self.menuBar(), (self.back, self.aside, self.next), self.stack.page(self.stack.currentIndex()))
 
     def _next_text(self) -> str:
         """Return what the main button does."""

@@ -1,4 +1,4 @@
-"""The menus, and what they change of the event's settings."""
+"""The menus, and the settings of the event that they change."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QMenu
 
-from cloner_gui.language.languages import LANGUAGE_NAMES, speak
+from cloner_gui.language.languages import LANGUAGE_NAMES, set_language
 from cloner_gui.language.words import translate
-from cloner_gui.theme import dress
+from cloner_gui.theme import apply_theme
 
 if TYPE_CHECKING:
     from cloner_gui.main_window import MainWindow
@@ -68,9 +68,9 @@ class Menus:
         wanted = (settings.appearance, settings.big, settings.text_percent, settings.language)
         if isinstance(app, QApplication) and wanted != self._followed:
             if wanted[:3] != self._followed[:3]:
-                dress(app, settings.appearance, big=settings.big, text_percent=settings.text_percent)
+                apply_theme(app, settings.appearance, big=settings.big, text_percent=settings.text_percent)
             self._followed = wanted
-            speak(settings.language)
+            set_language(settings.language)
             self.speak()
 
     def _fill_view(self, menu: QMenu) -> None:

@@ -1,4 +1,4 @@
-"""Pages in their order, each made when it is first needed: the window stands before the heavy ones are loaded."""
+"""Pages in order, each created when first needed, so that the window opens fast."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 
 
 class Page(Protocol):
-    """What the window asks of a page, which is a widget besides."""
+    """What the window expects of a page, besides being a widget."""
 
     changed: SignalInstance
 

@@ -1,4 +1,4 @@
-"""Colours, sizes and shapes of the window: light, dark, high contrast, or as the desktop has it."""
+"""Colours, sizes and shapes of the window: light, dark, high contrast, or the desktop's."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def colours_of(appearance: str) -> Colours:
 
 
 def palette_of(colours: Colours) -> QPalette:
-    """Return Qt's own palette in these colours, so that every widget follows, also those without a style rule."""
+    """Return a Qt palette in these colours, so that widgets without a style rule follow too."""
     role = QPalette.ColorRole
     palette = QPalette(QColor(colours.card), QColor(colours.window))
     table = {
@@ -74,7 +74,7 @@ def palette_of(colours: Colours) -> QPalette:
 
 
 def style_of(colours: Colours, *, control_px: int, points: float) -> str:
-    """Return the style sheet: cards, one filled main button, steps, quiet bars; a ring shows where the keyboard is."""
+    """Return the style sheet: cards, one primary button, steps, quiet bars; a ring shows the keyboard focus."""
     c, radius = colours, 6
     tick, arrow = _picture("tick", c.on_accent), _picture("arrow", c.text)
     return f"""
@@ -145,8 +145,8 @@ def _picture(name: str, colour: str) -> str:
     return (PICTURES / f"{name}_{kind}.svg").as_posix()
 
 
-def dress(app: QApplication, appearance: str, *, big: bool, text_percent: int) -> None:
-    """Give the whole program an appearance; text grows with the operator's wish and in the mode for fingers.
+def apply_theme(app: QApplication, appearance: str, *, big: bool, text_percent: int) -> None:
+    """Set the whole program's appearance; text is scaled by the operator's setting and in touch mode.
 
     Two milliseconds before the window is made, half a second after: Qt polishes every widget anew. What the program
     looks like already is left alone.

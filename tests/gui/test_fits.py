@@ -24,7 +24,7 @@ from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
 from cloner_gui.studio.windows import window_of
-from cloner_gui.widgets.letters import assign, letter_of, lettered_in
+from cloner_gui.widgets.letters import assign_mnemonics, mnemonic_of, with_mnemonics
 from kit.fitting import beyond_screen, cut_texts
 from kit.odd_programs import install
 from kit.stand_ins import drop
@@ -216,20 +216,20 @@ def test_every_letter_stands_for_one_control(busy_event, code):
         window.go(number)
         QApplication.processEvents()
         frame = [window.back, window.aside, window.next]
-        seen = [*window.menuBar().actions(), *frame, *lettered_in(window.stack.currentWidget())]
-        letters = [letter_of(one.text()) for one in seen if letter_of(one.text())]
+        seen = [*window.menuBar().actions(), *frame, *with_mnemonics(window.stack.currentWidget())]
+        letters = [mnemonic_of(one.text()) for one in seen if mnemonic_of(one.text())]
         assert len(letters) == len(set(letters)), f"{code}, page {number}: {sorted(one.text() for one in seen)}"
         assert len(letters) > 5
     for title in window.menuBar().actions():
         menus = [title.menu(), *(one.menu() for one in title.menu().actions() if one.menu())]
         for menu in menus:
-            letters = [letter_of(one.text()) for one in menu.actions() if letter_of(one.text())]
+            letters = [mnemonic_of(one.text()) for one in menu.actions() if mnemonic_of(one.text())]
             assert len(letters) == len(set(letters)), f"{code}: {[one.text() for one in menu.actions()]}"
     for dialog in window.findChildren(QDialog):
         dialog.close()
 
 
 def test_the_letter_that_translators_like_stays_where_it_is_free():
-    assert assign(["&Save", "&Show", "Plain", "S&how"]) == ["&Save", "S&how", "Plain", "Sh&ow"]
-    assert assign(["&Öffnen", "&öl"]) == ["&Öffnen", "ö&l"]
-    assert assign(["&A", "&A"]) == ["&A", "A"], "none is left: no letter rather than one for two"
+    assert assign_mnemonics(["&Save", "&Show", "Plain", "S&how"]) == ["&Save", "S&how", "Plain", "Sh&ow"]
+    assert assign_mnemonics(["&Öffnen", "&öl"]) == ["&Öffnen", "ö&l"]
+    assert assign_mnemonics(["&A", "&A"]) == ["&A", "A"], "none is left: no letter rather than one for two"

@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLabel, QPushButto
 from cloner.booth.events.event import LANGUAGES
 from cloner.frames import ViewId
 from cloner_gui.event.session import Session
-from cloner_gui.language.languages import FOLDER, consent_text, speak
+from cloner_gui.language.languages import FOLDER, consent_text, set_language
 from cloner_gui.main_window import MainWindow
-from cloner_gui.theme import CONTRAST, DARK, LIGHT, dress
+from cloner_gui.theme import CONTRAST, DARK, LIGHT, apply_theme
 
 from .test_flow import begin, settled
 
@@ -34,8 +34,8 @@ def event(qtbot, jobs, tmp_path):
     app = QApplication.instance()
     yield window
     window.booth.close()
-    speak("en")
-    dress(app, "system", big=False, text_percent=100)
+    set_language("en")
+    apply_theme(app, "system", big=False, text_percent=100)
     app.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
@@ -190,9 +190,9 @@ def test_texts_are_read_on_their_ground(colours, least):
 
 def test_text_and_buttons_grow(event, qtbot):
     app = QApplication.instance()
-    dress(app, "light", big=False, text_percent=100)
+    apply_theme(app, "light", big=False, text_percent=100)
     small, points = event.next.sizeHint().height(), app.font().pointSizeF()
-    dress(app, "light", big=True, text_percent=150)
+    apply_theme(app, "light", big=True, text_percent=150)
     assert app.font().pointSizeF() == pytest.approx(points * 1.5 * 1.25)
     assert event.next.sizeHint().height() >= max(48, 1.4 * small), "a finger needs 48 px"
     assert event.findChildren(QLabel)[0].font().pointSizeF() > points
@@ -201,10 +201,10 @@ def test_text_and_buttons_grow(event, qtbot):
 def test_what_looks_as_wanted_already_is_not_dressed_again(event, monkeypatch):
     """Every dressing polishes all widgets: half a second at the start of a program, and of every test."""
     app = QApplication.instance()
-    dress(app, "dark", big=True, text_percent=150)
+    apply_theme(app, "dark", big=True, text_percent=150)
     polished = []
     monkeypatch.setattr(type(app), "setStyleSheet", lambda _, text: polished.append(text))
-    dress(app, "dark", big=True, text_percent=150)
+    apply_theme(app, "dark", big=True, text_percent=150)
     assert polished == []
-    dress(app, "light", big=True, text_percent=150)
+    apply_theme(app, "light", big=True, text_percent=150)
     assert len(polished) == 1

@@ -12,12 +12,12 @@ from cloner.geometry.cameras.viewpoints import look_at
 from cloner.records.bodies import PosedView
 from cloner.records.photos import Photo
 from cloner.records.views import Camera
-from cloner_gui.background.newest import newest
-from cloner_gui.canvas.clones.acting import MODES, MOTIONS, acted, dressed, motion_of
+from cloner_gui.background.newest import shared_latest
+from cloner_gui.canvas.clones.acting import MODES, MOTIONS, display_meshes, find_motion, pose_at
 from cloner_gui.canvas.clones.growth import Growth
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.preview_panel import PreviewPanel
-from cloner_gui.language.languages import speak
+from cloner_gui.language.languages import set_language
 from cloner_gui.main_window import CLONE
 from kit.clones import toy_clone
 
@@ -50,7 +50,7 @@ def picture(widget, qtbot, change=None):
     """Return the (H, W, 3) pixels after a change was drawn."""
     (change or widget.refresh)()
     film = widget._film  # while it runs there is always another picture to come
-    qtbot.waitUntil(lambda: film.isActive() or (not widget._soon.isActive() and newest().idle))
+    qtbot.waitUntil(lambda: film.isActive() or (not widget._soon.isActive() and shared_latest().idle))
     image = widget.pixmap().toImage().convertToFormat(widget.pixmap().toImage().Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
@@ -133,14 +133,14 @@ def test_the_clone_lies_over_the_photo_through_the_photo_s_camera(preview, qtbot
 
 @pytest.mark.parametrize("kind", MOTIONS[1:])
 def test_every_motion_moves_what_it_should(clone, kind):
-    motion = motion_of(kind, clone)
-    still = dressed(clone, None, "shaded", None)[0].vertices_m
+    motion = find_motion(kind, clone)
+    still = display_meshes(clone, None, "shaded", None)[0].vertices_m
     moved = np.zeros(len(still))
     for seconds in np.linspace(0.0, 3.0, 16):
-        person, rotations, _ = acted(clone, motion, seconds)
+        person, rotations, _ = pose_at(clone, motion, seconds)
         faced = np.linalg.norm(person.vertices_m - clone.vertices_m, axis=1)
         moved = np.maximum(
-            moved, np.linalg.norm(dressed(person, rotations, "shaded", None)[0].vertices_m - still, axis=1)
+            moved, np.linalg.norm(display_meshes(person, rotations, "shaded", None)[0].vertices_m - still, axis=1)
         )
     if kind == "walk":
         assert moved.max() > 0.2, "arms and legs swing"
@@ -226,19 +226,19 @@ def test_a_picture_that_is_still_drawn_is_never_shown_of_the_next_person(preview
     other = plain_clone(clone.vertices_m)
     preview.set_clone(other)
     preview._draw(fine=False)
-    qtbot.waitUntil(lambda: newest().idle and not preview._soon.isActive())
+    qtbot.waitUntil(lambda: shared_latest().idle and not preview._soon.isActive())
     assert shown
     assert all(one is other for one in shown)
     preview._draw(fine=False)
     preview.set_clone(None)
-    qtbot.waitUntil(lambda: newest().idle)
+    qtbot.waitUntil(lambda: shared_latest().idle)
     assert "Press Clone" in preview.text()
 
 
 def test_what_an_empty_place_says_changes_with_the_language(window, qtbot):
     window.go(CLONE)
     assert "Press Clone" in window.clone.preview.text()
-    speak("de")
+    set_language("de")
     QApplication.processEvents()
     assert "Klonen drücken" in window.clone.preview.text()
-    speak("en")
+    set_language("en")

@@ -11,14 +11,14 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEd
 from cloner.booth.events.event import LANGUAGES
 from cloner.frames import ViewId
 from cloner_gui.canvas.photos.webcam import WebcamDialog
-from cloner_gui.language.languages import speak
+from cloner_gui.language.languages import set_language
 from cloner_gui.main_window import CLONE, TAKEAWAY
 from cloner_gui.pages.gallery import GalleryWindow
 from cloner_gui.pages.held import HeldWindow
 from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
-from cloner_gui.theme import CONTRAST, DARK, LIGHT, dress, palette_of
+from cloner_gui.theme import CONTRAST, DARK, LIGHT, apply_theme, palette_of
 from cloner_gui.widgets.pieces import Card
 
 from .test_flow import event  # noqa: F401  (a fixture)
@@ -57,8 +57,8 @@ def full(event, qtbot, samples):  # noqa: F811
     event.session.propose()
     qtbot.waitUntil(lambda: bool(event.session.proposed) and not event.session.busy)
     yield event
-    speak("en")
-    dress(QApplication.instance(), "system", big=False, text_percent=100)
+    set_language("en")
+    apply_theme(QApplication.instance(), "system", big=False, text_percent=100)
 
 
 def dialogs(booth):

@@ -12,7 +12,7 @@ from cloner.picture import load_clone_at
 from cloner.statues.markers import known_points
 from cloner_gui.studio.blob_scene import blob_meshes
 from cloner_gui.studio.blobs import BlobsWindow
-from cloner_gui.studio.photo_scene import LaidScene
+from cloner_gui.studio.photo_scene import FittedPhotoScene
 from cloner_gui.studio.photograph import PhotographWindow
 from cloner_gui.studio.statues import StoneWindow
 from kit.studio_window import TEXELS, press, tape_clone
@@ -74,7 +74,7 @@ def at(window, name):
 def test_markers_are_dragged_and_the_clone_shows_it_live(laid, qtbot):
     assert len(laid.markers().at) == len(MARKED) == 40
     before = laid._fit
-    assert isinstance(laid.preview.shown, LaidScene)
+    assert isinstance(laid.preview.shown, FittedPhotoScene)
     start = at(laid, "nose_tip")
     qtbot.mousePress(laid.view, Qt.MouseButton.LeftButton, pos=start)
     assert laid.view.chosen == "nose_tip"
@@ -109,7 +109,7 @@ def test_the_photo_is_painted_all_round_and_saved(laid, qtbot, monkeypatch, tmp_
     monkeypatch.setattr("cloner_gui.studio.statues.QFileDialog.getExistingDirectory", lambda *_: str(tmp_path / "all"))
     press(qtbot, laid.paint_button)
     rested(qtbot, laid)
-    assert not isinstance(laid.preview.scene(), LaidScene)
+    assert not isinstance(laid.preview.scene(), FittedPhotoScene)
     laid.material.setCurrentIndex(laid.material.findData("clay"))
     laid.name_field.setText("soldier")
     press(qtbot, laid.save_button)

@@ -13,9 +13,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from cloner.booth.visitors.visits import Visit, write_visit
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.main_window import TAKEAWAY
-from cloner_gui.widgets.letters import letter_of, lettered_in
+from cloner_gui.widgets.letters import mnemonic_of, with_mnemonics
 from cloner_gui.widgets.printed_card import card_image
 from kit.odd_programs import install
 
@@ -134,7 +134,7 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     install(tmp_path, monkeypatch, lsblk="echo '{}'", udisksctl=f'echo "$*" >> {log}')
     row = taken.takeaway.sticks
     row.look()
-    qtbot.waitUntil(lambda: newest().idle)
+    qtbot.waitUntil(lambda: shared_latest().idle)
     assert row.copy_button.isHidden()
     assert "No stick" in row.note.text()
     install(tmp_path, monkeypatch, lsblk="exit 1")
@@ -146,7 +146,7 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     assert row.copy_button.text().replace("&&", "+").replace("&", "") == "Copy to FAIR + CO"
     assert row.note.text() == "7.5 GB are free."
     qtbot.wait(50)
-    letters = [letter_of(one.text()) for one in lettered_in(taken.takeaway) if one.isVisible()]
+    letters = [mnemonic_of(one.text()) for one in with_mnemonics(taken.takeaway) if one.isVisible()]
     assert len(letters) == len(set(letters)), "a stick that comes by itself takes nobody's letter"
     qtbot.mouseClick(row.copy_button, LEFT)
     qtbot.waitUntil(lambda: not taken.takeaway.handing.busy)

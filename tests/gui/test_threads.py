@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QObject, Qt
 
 from cloner.errors import ClonerError
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.background.worker import Task, stop_all_tasks
 
 pytestmark = pytest.mark.gui
@@ -98,7 +98,7 @@ def test_what_short_work_holds_goes_on_the_windows_thread(qtbot):
 
     owner = QObject()
     for number in range(200):
-        newest().ask(owner, "held", Work(), lambda _: None, lambda _: None)
-        qtbot.waitUntil(lambda: newest().idle)
+        shared_latest().ask(owner, "held", Work(), lambda _: None, lambda _: None)
+        qtbot.waitUntil(lambda: shared_latest().idle)
         qtbot.waitUntil(lambda number=number: len(went) == number + 1)
     assert set(went) == {threading.main_thread().name}

@@ -5,9 +5,9 @@ from PySide6.QtWidgets import QApplication
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner_gui.language.languages import speak, translator_of
-from cloner_gui.language.point_names import NAMES, is_point, spoken
-from cloner_gui.language.told import template_of, told, told_error
+from cloner_gui.language.languages import set_language, translator_of
+from cloner_gui.language.point_names import NAMES, is_point, point_label
+from cloner_gui.language.told import template_of, translated, translated_error
 from kit.sentences import PLACE, ROOT, sentences
 
 pytestmark = pytest.mark.gui
@@ -29,9 +29,9 @@ TO_PROGRAMS = ("one front photo is needed", "Give body_front, face_front or both
 @pytest.fixture
 def german(qtbot):
     assert QApplication.instance() is not None
-    speak("de")
+    set_language("de")
     yield
-    speak("en")
+    set_language("en")
 
 
 def on_the_path():
@@ -68,19 +68,20 @@ def test_every_sentence_and_point_is_said_in_every_language(qtbot, code):
 def test_values_find_their_places_in_another_language(german):
     error = ClonerError("the photo is only 30 x 40 pixels", "Use the original photo, not a thumbnail", "body_front")
     assert (
-        told_error(error) == "Körper, vorn: das Foto hat nur 30 x 40 Pixel. Nehmen Sie das Original, kein Vorschaubild."
+        translated_error(error)
+        == "Körper, vorn: das Foto hat nur 30 x 40 Pixel. Nehmen Sie das Original, kein Vorschaubild."
     )
     warning = "body_side: the corrected point waist_left could not be obeyed: no outline of the clone is seen there, " \
         "so the point was left out"  # fmt: skip
-    assert told(warning).startswith("Körper, Seite: dem berichtigten Punkt Taille, links")
-    assert told(warning).endswith("der Punkt wurde ausgelassen")
-    assert told("what nobody wrote") == "what nobody wrote"
+    assert translated(warning).startswith("Körper, Seite: dem berichtigten Punkt Taille, links")
+    assert translated(warning).endswith("der Punkt wurde ausgelassen")
+    assert translated("what nobody wrote") == "what nobody wrote"
 
 
 def test_every_point_has_a_name_that_people_use(german):
     names = load_generic().feature_names
     assert [name for name in names if not is_point(name)] == []
-    assert spoken("eye_inner_L") == "innerer Augenwinkel, links"
-    assert spoken("l_knee") == "Kniegelenk, links"
-    assert spoken("ankle_outer_right") == "Knöchel außen, rechts"
-    assert spoken("outline_3") == "Umrisspunkt"
+    assert point_label("eye_inner_L") == "innerer Augenwinkel, links"
+    assert point_label("l_knee") == "Kniegelenk, links"
+    assert point_label("ankle_outer_right") == "Knöchel außen, rechts"
+    assert point_label("outline_3") == "Umrisspunkt"

@@ -84,7 +84,7 @@ def test_the_shipped_pictures_are_whole_turns_and_read_only_when_they_are_shown(
         assert sheet.width() == attract.ACROSS * attract.SIDE_PX[0]
         assert sheet.height() == attract.DOWN * attract.SIDE_PX[1]
         assert (attract.PICTURES / f"turn_{person}.jpg").stat().st_size < 500_000
-    made = attract.Attract()
+    made = attract.AttractLoop()
     qtbot.addWidget(made)
     assert not made.active
     assert made._sheets == {}

@@ -73,7 +73,7 @@ def walk(window: MainWindow, jobs: Jobs, root: Path, silence: Silence) -> None:
     window.resize(1280, 800)
     silence.step("opening the event", lambda: window.open_folder(root), lambda: not list(root.glob("trash/.*")))
     for number in (VISITOR, PHOTOS, POINTS, CLONE, TAKEAWAY):
-        window.go(number)  # made once, behind the first page: `cloner_gui.app.load_the_rest`
+        window.go(number)  # made once, behind the first page: `cloner_gui.app.preload_pages`
     window.go(VISITOR)
     silence.step("a new visitor", lambda: QTest.mouseClick(window.visitor.new_button, click),
                  lambda: booth.opening is None and session.folder is not None)  # fmt: skip

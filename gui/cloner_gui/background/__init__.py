@@ -1,1 +1,1 @@
-"""Work beside the window's thread."""
+"""Work in other threads than the window's."""

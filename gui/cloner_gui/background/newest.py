@@ -1,4 +1,4 @@
-"""Short work beside the window's thread: of each kind only what was asked last is done.
+"""Short work in a background thread: of each kind only the latest request is done.
 
 Pictures of the clone, its outline, and its body after a drag: each takes some ten milliseconds and is out of date as
 soon as the hand moves on. One thread does them all, because a GL context stays on its thread.
@@ -19,7 +19,7 @@ import shiboken6
 from PySide6.QtCore import QObject, Qt, Signal
 
 from cloner.errors import ClonerError
-from cloner_gui.background.worker import unexpected
+from cloner_gui.background.worker import defect_message
 
 log = logging.getLogger(__name__)
 
@@ -37,8 +37,8 @@ class _Wish:
     failed: Callable[[ClonerError], None]
 
 
-class Newest(QObject):
-    """A thread and what it is asked for."""
+class LatestOnly(QObject):
+    """A thread and its latest requests."""
 
     _answered = Signal()  # the answers lie in a queue: nothing that Qt counts by itself changes threads
 
@@ -125,12 +125,12 @@ def _done(work: Callable[[], Any]) -> Any:
         return error
     except Exception:  # as in `worker.Task`: the thread must outlive the defect of one picture
         log.exception("the work failed")
-        return unexpected()
+        return defect_message()
 
 
 @functools.cache
-def newest() -> Newest:
+def shared_latest() -> LatestOnly:
     """Return the program's one thread for short work."""
-    made = Newest()
+    made = LatestOnly()
     atexit.register(made.close)
     return made

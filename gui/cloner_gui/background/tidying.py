@@ -1,4 +1,4 @@
-"""Python's garbage is collected on the window's thread alone.
+"""Python's garbage is collected in the window's thread only.
 
 Left to itself Python collects on whichever thread happens to allocate, and a widget that dies on a worker's thread
 takes the program with it (seen in the tests: a segmentation fault while a photo was decoded).
@@ -15,8 +15,8 @@ from PySide6.QtCore import QObject, QTimer
 EVERY_MS: Final = 500
 
 
-class Tidier(QObject):
-    """Replaces Python's automatic collection as long as it lives."""
+class GarbageCollector(QObject):
+    """Replaces Python's automatic collection while it lives."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -31,7 +31,7 @@ class Tidier(QObject):
 
 
 def tidy() -> None:
-    """Collect what Python would have collected by now: the young often, the old seldom."""
+    """Collect what Python would have collected by now: young generations often, old ones seldom."""
     due = [have > threshold > 0 for have, threshold in zip(gc.get_count(), gc.get_threshold(), strict=True)]
     for generation in (2, 1, 0):
         if due[generation]:

@@ -20,7 +20,7 @@ _running: set[Kept] = set()
 
 
 def stop_all_tasks() -> None:
-    """Ask all work of all pages to stop and wait for it: a thread that outlives its program ends it with a crash."""
+    """Stop the work of all pages and wait for it, as a thread that outlives the program crashes it."""
     threads = tuple(_running)
     for thread in threads:
         thread.cancel()
@@ -28,14 +28,14 @@ def stop_all_tasks() -> None:
         thread.wait()
 
 
-def unexpected() -> ClonerError:
-    """Return what the operator is told about a defect; the log has it already."""
+def defect_message() -> ClonerError:
+    """Return the message about a defect for the operator; the log has it already."""
     message = "something went wrong that the program did not expect"
     return ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner")
 
 
 class Kept(QThread):
-    """A thread that nothing else owns: it goes on the window's thread, after its own end, outside its own signals.
+    """A thread without another owner: it is destroyed in the window's thread, after its end, outside its own signals.
 
     It has no parent, because a parent that goes first ends the program ("destroyed while thread is still running").
     """
@@ -101,7 +101,7 @@ class Task(Kept):
             self._tell = lambda: self.failed.emit(told)
         except Exception:  # this is one of the three places that may catch everything
             log.exception("the work failed")
-            self._tell = lambda: self.failed.emit(unexpected())
+            self._tell = lambda: self.failed.emit(defect_message())
         else:
             self._tell = lambda: self.succeeded.emit(value)
 

@@ -1,1 +1,1 @@
-"""Widgets that show photos and clones, and take the mouse."""
+"""Widgets that show photos and clones, and accept mouse and touch."""

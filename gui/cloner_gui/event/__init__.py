@@ -1,1 +1,1 @@
-"""The open event in the window: visitors, session, queue, photos on their way in, files on their way out."""
+"""The open event in the window: visitors, session, queue, incoming photos, outgoing files."""

@@ -1,4 +1,4 @@
-"""The event that is open: its visitors and settings; everything is saved as it happens."""
+"""The open event: its visitors and settings; everything is saved as it happens."""
 
 from __future__ import annotations
 
@@ -31,13 +31,12 @@ from cloner_gui.event.clone_queue import now_text
 from cloner_gui.event.everybody import Everybody
 from cloner_gui.event.leaving import settle
 from cloner_gui.event.session import Session
-from cloner_gui.language.told import told as told_sentence
-from cloner_gui.language.told import told_where
+from cloner_gui.language.told import translated, translated_where
 from cloner_gui.language.words import translate
 
 
 class Booth(Everybody):
-    """The event and who of it is open; pages tell it what the operator did.
+    """The event and its open visitor; pages report the operator's actions to it.
 
     Parameters
     ----------
@@ -81,7 +80,7 @@ class Booth(Everybody):
         self.event_changed.emit()
         self._follow_settings()
         if message:
-            self.told.emit(told_sentence(message))
+            self.told.emit(translated(message))
         if self.root is None:
             self.open_visitor(folder)
             return
@@ -192,7 +191,7 @@ class Booth(Everybody):
         """Tell of a clone that failed while another visitor is open."""
         if folder != self.session.folder:
             self.failed.emit(
-                ClonerError(error.message, error.hint, f"{self.name_of(folder)}, {told_where(error.where)}")
+                ClonerError(error.message, error.hint, f"{self.name_of(folder)}, {translated_where(error.where)}")
             )
 
     def _tell_ready(self, folder: Path) -> None:

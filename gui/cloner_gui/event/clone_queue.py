@@ -1,4 +1,4 @@
-"""Visitors who wait for their clone: they are cloned in the background while the next one is photographed."""
+"""Visitors waiting for their clone: cloned in the background while the next one is photographed."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ log = logging.getLogger(__name__)
 
 
 def now_text() -> str:
-    """Return the time as the visits' files keep it."""
+    """Return the time in the format of the visits' files."""
     return datetime.now(UTC).isoformat(timespec="milliseconds")
 
 
 def update_visit(folder: Path, change: Callable[[Visit], Visit]) -> None:
-    """Read, change and write a visit's file; a folder that went meanwhile stays gone."""
+    """Read, change and write a visit's file, unless the folder was removed meanwhile."""
     if folder.is_dir():
         write_visit(folder, change(read_visit(folder)))
 
 
 def note_asked(folder: Path) -> Path:
-    """Note that a clone of a visitor was asked for now; return the visitor."""
+    """Record that a clone of a visitor was requested now; return the visitor."""
     update_visit(folder, lambda visit: waiting_line.with_request(visit, now_text()))
     return folder
 
@@ -65,7 +65,7 @@ class _Run:
 
 
 class CloneQueue(QObject):
-    """Clones visitors, as many at once as is wanted; who waits stands in the visits' files and survives a crash.
+    """Clones visitors, several at once if requested; the queue is stored in the visits' files and survives a crash.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The one undoable edit: a whole value swapped for another."""
+"""The one undoable edit: a whole value replaced by another."""
 
 from __future__ import annotations
 

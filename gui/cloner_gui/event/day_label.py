@@ -1,4 +1,4 @@
-"""The numbers of the day in one sentence or two, worked out beside the window's thread; and all of them as a table."""
+"""The day's statistics in one or two sentences, computed in a background thread; and all of them as a table."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from cloner.booth.photos.check_cache import read_checks
 from cloner.booth.visitors.visits import Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.told import told
+from cloner_gui.language.told import translated
 from cloner_gui.language.words import TROUBLES, translate
 
 
-class DayNumbers(QObject):
-    """What the gallery tells of the event's last day.
+class DayLabel(QObject):
+    """The statistics of the event's last day in the gallery.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class DayNumbers(QObject):
     def refresh(self) -> None:
         """Work the numbers out anew, soon."""
         work = functools.partial(_counted, dict(self._booth.visits()), self._booth.root)
-        newest().ask(self, "numbers", work, self._take, self._booth.failed.emit)
+        shared_latest().ask(self, "numbers", work, self._take, self._booth.failed.emit)
 
     def _take(self, found: tuple[Day, ...]) -> None:
         self.days = found
@@ -69,7 +69,7 @@ class DayNumbers(QObject):
             waits = translate("day", "In the queue {m} minutes in the middle, {l} at most.")
             parts.append(waits.format(m=f"{day.median_min:.1f}", l=f"{day.longest_min:.1f}"))
         reasons = [f"{count} × {TROUBLES[trouble].partition(':')[0]}" for trouble, count in day.photos.items()]
-        reasons += [f"{count} × {told(reason)}" for reason, count in day.failures.items()]
+        reasons += [f"{count} × {translated(reason)}" for reason, count in day.failures.items()]
         if reasons:
             parts.append(translate("day", "Refused: {reasons}.").format(reasons="; ".join(reasons)))
         return " ".join(parts)

@@ -1,4 +1,4 @@
-"""The visitor at the desk: what is typed of them, where their work stands and what it costs, saved as it happens."""
+"""The visitor at the desk: entered data, progress and the operator's effort, saved as it happens."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Counts the operator's clicks: presses of the mouse, a finger, or Return and Space on a button."""
+"""Counts the operator's clicks: of mouse and touch, or Return and Space on a button."""
 
 from __future__ import annotations
 

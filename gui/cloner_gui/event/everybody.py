@@ -1,4 +1,4 @@
-"""What is done to many visitors at once, into the trash, back, for good: beside the window's thread."""
+"""Actions on many visitors at once: into the trash, restored, deleted; in a background thread."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _Moved = tuple[list[Path], list[ClonerError]]
 
 
 class Everybody(Desk):
-    """Lets visitors go, and clones them again.
+    """Deletes visitors, and clones them again.
 
     Parameters
     ----------

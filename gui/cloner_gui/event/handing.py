@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from cloner_gui.background.worker import Task
 from cloner_gui.event.session import Session
-from cloner_gui.language.words import spoken_step, translate
+from cloner_gui.language.words import step_text, translate
 
 
 class Handing(QObject):
@@ -39,7 +39,7 @@ class Handing(QObject):
     def told(self) -> str:
         """Return what became of the files."""
         if self.busy:
-            return spoken_step(self.step) + "…" if self.step else translate("takeaway", "Writing the files…")
+            return step_text(self.step) + "…" if self.step else translate("takeaway", "Writing the files…")
         if self.target is not None:
             place = f"{self.target.parent.name}/{self.target.name}"
             return translate("takeaway", "Written and read back: {place}").format(place=place)

@@ -1,4 +1,4 @@
-"""Photos on their way into a visitor's folder: all stored at once, then looked at and put into place one by one."""
+"""Incoming photos of a visitor: all stored at once, then checked and assigned to views one by one."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ WATCH_MS: Final = 600
 
 @dataclass(frozen=True, slots=True)
 class Incoming:
-    """A photo that somebody brings: a file, or the bytes of one."""
+    """An incoming photo: a file, or the bytes of one."""
 
     source: Path | bytes
     suffix: str
@@ -57,8 +57,10 @@ class Incoming:
             raise ClonerError("the photo cannot be read", hint, self.source.name) from error
 
 
-def judge(services: Services, folder: Path, path: Path, progress: Progress) -> Opened:
-    """Look at a stored photo, give it its place, and return the visitor anew; what is no photo goes again."""
+def check_and_place(services: Services, folder: Path, path: Path, progress: Progress) -> Opened:
+    """Check a stored photo, assign its view, and return the visitor as read again; files that are no photos are
+    removed.
+    """
     if path.exists():  # it may have been taken out of the tray by hand meanwhile
         known = read_checks(folder).get(file_digest(path))
         try:
@@ -73,7 +75,7 @@ def judge(services: Services, folder: Path, path: Path, progress: Progress) -> O
 
 
 def change(services: Services, folder: Path, edit: Callable[[], object], progress: Progress) -> Opened:
-    """Do something to a visitor's photos, look at what is new, and return the visitor anew."""
+    """Edit a visitor's photos, check new ones, and return the visitor as read again."""
     edit()
     opened = services.open(folder)
     fresh = [photo for photo in opened.photos.photos.values() if photo.digest not in opened.looks]
@@ -84,7 +86,7 @@ def change(services: Services, folder: Path, edit: Callable[[], object], progres
 
 
 class Intake(QObject):
-    """Takes photos for the open visitor, off the window's thread.
+    """Takes photos for the open visitor, in a background thread.
 
     Parameters
     ----------
@@ -206,7 +208,7 @@ class Intake(QObject):
 
     def _judge_all(self, folder: Path, paths: Sequence[Path]) -> None:
         for path in paths if folder.is_dir() else ():  # the visitor may be forgotten by now
-            self._add(folder, partial(judge, self._session.services, folder, path))
+            self._add(folder, partial(check_and_place, self._session.services, folder, path))
 
     def _add(self, folder: Path, work: Callable[[Progress], Opened]) -> None:
         self._waiting.append((folder, work))

@@ -1,4 +1,4 @@
-"""What visitors take home besides files: a card on paper, and an e-mail as a draft."""
+"""What visitors take home besides files: a printed card, and a draft of an e-mail."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from cloner.booth.visitors.person_file import consent_language
 from cloner.booth.visitors.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.records.clones import Clone
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.event.booth import Booth
 from cloner_gui.language.letters_home import letter_text
 from cloner_gui.language.words import translate
-from cloner_gui.widgets.pieces import Card, button, label, name
+from cloner_gui.widgets.pieces import Card, button, label, set_accessible_name
 from cloner_gui.widgets.printed_card import (
     CARD_MM,
     DOTS_PER_INCH,
@@ -40,7 +40,7 @@ _JPEG_QUALITY: Final = 90
 
 
 class Keepsakes(Card):
-    """The card as it will be printed, and what can be done with it.
+    """The card as it will be printed, and its actions.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class Keepsakes(Card):
         self.print_button.setText(translate("keepsakes", "Pr&int the card…"))
         self.save_button.setText(translate("keepsakes", "Sa&ve the card as a file…"))
         self.mail_button.setText(translate("keepsakes", "E-&mail as a draft…"))
-        name(self.shown, translate("keepsakes", "The card as it will be printed"))
+        set_accessible_name(self.shown, translate("keepsakes", "The card as it will be printed"))
         self.show_card()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -91,7 +91,7 @@ class Keepsakes(Card):
                 self._of = None  # drawn when it is seen
             elif outcome is not None:
                 work = functools.partial(_drawn, outcome.values["clone"])
-                newest().ask(self, "card", work, functools.partial(self._take, outcome), self._booth.failed.emit)
+                shared_latest().ask(self, "card", work, functools.partial(self._take, outcome), self._booth.failed.emit)
         content = self.content()
         for one in (self.print_button, self.save_button, self.mail_button):
             one.setEnabled(content is not None)
@@ -207,11 +207,13 @@ class Keepsakes(Card):
 
 def _drawn(clone: Clone) -> QImage:
     """Return the clone's picture in the card's own size; runs on another thread."""
-    from cloner_gui.canvas.clones.greeting import greeting  # drawing and motion: not paid for before there is a clone
+    from cloner_gui.canvas.clones.greeting import (
+        greeting_picture,  # drawing and motion: not paid for before there is a clone
+    )
 
     room = picture_room()
     width, height = (round(side / MM_PER_INCH * DOTS_PER_INCH) for side in (room.width(), room.height()))
-    return greeting(clone, width, height)
+    return greeting_picture(clone, width, height)
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -1,4 +1,4 @@
-"""What becomes of the visitor whom the operator leaves: nobody goes away without a clone by mistake."""
+"""What happens to the visitor whom the operator leaves: nobody goes without a clone by mistake."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def has_front(session: Session) -> bool:
     return ViewId.BODY_FRONT in session.photos.photos or ViewId.FACE_FRONT in session.photos.photos
 
 
-def is_owed(session: Session) -> bool:
+def should_queue(session: Session) -> bool:
     """Return whether the open visitor should be queued; see `cloner.booth.visitors.waiting_line.should_queue`."""
     folder = session.folder
     if folder is None or not folder.is_dir():
@@ -32,9 +32,9 @@ def is_owed(session: Session) -> bool:
 
 
 def settle(booth: Booth) -> None:
-    """Put the open visitor, who is left now, into the queue if nobody has done so, and say it."""
+    """Queue the open visitor, whose page is left now, if nobody has done so, and say it."""
     session = booth.session
-    if session.folder is not None and booth.root is not None and is_owed(session):
+    if session.folder is not None and booth.root is not None and should_queue(session):
         name = booth.name_of(session.folder)
         session.clone()
         booth.told.emit(translate("window", "{name} waits for the clone now: it was not asked for.").format(name=name))

@@ -1,4 +1,4 @@
-"""The page for visitors' telephones: on and off with the event's setting, and what the open visitor gets there."""
+"""The page for visitors' phones: on and off with the event's setting, and its content for the open visitor."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from cloner_gui.event.booth import Booth
 
 
 class Phone(QObject):
-    """Serves the page while it is wanted; nothing listens otherwise.
+    """Serves the page while it is switched on; nothing listens otherwise.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class Phone(QObject):
         return self._server is not None
 
     def follow(self) -> None:
-        """Serve, or not, as the event's settings say."""
+        """Start or stop serving according to the event's settings."""
         root, settings = self._booth.root, self._booth.settings
         wanted = (root, settings.phone_https, settings.language) if root is not None and settings.phone else ()
         if wanted == self._key:
@@ -72,7 +72,7 @@ class Phone(QObject):
             self._booth.failed.emit(error)
 
     def link(self) -> str:
-        """Return the address of the open visitor's page; "" while there is none."""
+        """Return the address of the open visitor's page; "" if there is none."""
         session = self._booth.session
         if self._server is None or session.folder is None or session.outcome is None:
             return ""
@@ -90,7 +90,7 @@ class Phone(QObject):
         return self._packing is not None
 
     def prepare(self) -> None:
-        """Make what the open visitor's page shows, once there is a clone."""
+        """Make the content of the open visitor's page, once there is a clone."""
         session = self._booth.session
         folder, outcome = session.folder, session.outcome
         if self._server is None or folder is None or outcome is None or self._packing is not None:
@@ -107,7 +107,7 @@ class Phone(QObject):
         self.changed.emit()
 
     def close(self) -> None:
-        """Serve nothing any more."""
+        """Stop serving."""
         self._key = ()
         if self._server is not None:
             self._server.stop()

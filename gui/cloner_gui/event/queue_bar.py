@@ -1,4 +1,4 @@
-"""What is cloned in the background just now, how long it still takes, and a way to stop it; seen on every page."""
+"""The bar on every page: what is cloned in the background, the remaining time, and a way to stop it."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.words import spoken_step, spoken_time, translate
-from cloner_gui.widgets.pieces import name
+from cloner_gui.language.words import duration_text, step_text, translate
+from cloner_gui.widgets.pieces import set_accessible_name
 
 _LEAST_PX: Final = 170
 _LINES: Final = 2
 
 
 class QueueBar(QWidget):
-    """The queue of clones in one line; empty where nobody waits."""
+    """The queue of clones in one line; empty if nobody waits."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -49,11 +49,11 @@ class QueueBar(QWidget):
         if folder is not None:
             called = self._booth.name_of(folder)
             self._tell(folder, "photos", 0.0)
-            name(self.cancel, translate("queue", "Stop cloning {name}").format(name=called))
-            name(self.bar, translate("queue", "Progress of {name}").format(name=called))
+            set_accessible_name(self.cancel, translate("queue", "Stop cloning {name}").format(name=called))
+            set_accessible_name(self.bar, translate("queue", "Progress of {name}").format(name=called))
 
     def leave_to_page(self, hidden: bool) -> None:
-        """Be hidden while the page shows the open visitor's progress itself: one bar is enough."""
+        """Hide the bar while the page shows the open visitor's progress itself."""
         self._hidden = hidden
         self._show_or_hide()
 
@@ -66,18 +66,18 @@ class QueueBar(QWidget):
     def _tell(self, folder: Path, step: str, fraction: float) -> None:
         if folder != self._queue.at_work:
             return  # of several at once the first one's progress is seen
-        left = spoken_time(self._queue.seconds_left(folder))
+        left = duration_text(self._queue.seconds_left(folder))
         more = self._queue.size() - 1
         waiting = translate("queue", ", {n} more wait").format(n=more) if more else ""
         called, pattern = self._booth.name_of(folder), translate("queue", "{name}: {step}, {left}")
-        told = pattern.format(name=called, step=spoken_step(step), left=left) + waiting
+        told = pattern.format(name=called, step=step_text(step), left=left) + waiting
         self._texts = (told, f"{called}: {left}{waiting}", f"{called}: {left}", called)
         self.text.setToolTip(told)
         self._fit()
         self.bar.setValue(round(1000 * fraction))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Say as much as there is room for now."""
+        """Fit the text to the available width."""
         super().resizeEvent(event)
         self._fit()
 

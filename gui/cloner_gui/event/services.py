@@ -1,4 +1,4 @@
-"""What the window asks of the rest, as plain functions; tests hand in their own."""
+"""What the window requests from the library, as plain functions; tests pass in their own."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ STUDIO: Final = "cloner.booth.studio.jobs:StudioJobs"
 
 
 def refit_person(values: Mapping[str, object], corrections: Corrections) -> RefittedBody:
-    """Return the last clone's body with corrections obeyed; see `cloner.interactive.refitting.refit_body`."""
+    """Return the last clone's body with corrections applied; see `cloner.interactive.refitting.refit_body`."""
     from cloner.interactive.refitting import (
         refit_body,  # the whole fit: not paid for before there is something to refit
     )
@@ -45,7 +45,7 @@ def refitted_clone(
     values: Mapping[str, object],
     corrections: Corrections,
 ) -> tuple[RefittedBody, Clone]:
-    """Return the last clone's body with corrections obeyed, and the clone with that body."""
+    """Return the last clone's body with corrections applied, and the clone with that body."""
     from cloner.interactive.refitting import clone_after
 
     moved = refit(values, corrections)
@@ -53,7 +53,7 @@ def refitted_clone(
 
 
 def pack_parcel(folder: Path, result: Path, progress: Progress) -> Path:
-    """Make what the page for telephones shows; see `cloner.booth.phone.parcel.pack`."""
+    """Make what the page for phones shows; see `cloner.booth.phone.parcel.pack`."""
     from cloner.booth.phone.parcel import pack  # drawing: not paid for before there is a page
 
     return pack(folder, result, progress)
@@ -118,8 +118,8 @@ class Services:
 
 
 def process_services() -> Services:
-    """Return the services in their processes: for the visitor at hand, for clones meanwhile, and for the studio."""
-    desk, bench, ovens = Worker(), Worker(STUDIO), Ovens()
+    """Return the services in their processes: for the present visitor, for background clones, and for the studio."""
+    desk, bench, ovens = Worker(), Worker(STUDIO), ClonePool()
     return Services(
         look=functools.partial(_look, desk),
         propose=functools.partial(_propose, desk),
@@ -143,8 +143,8 @@ def _propose(worker: Worker, folder: Path, photos: PhotoSet, progress: Progress)
     return points_by_view(proposed_points(folder, photos), photos)
 
 
-class Ovens:
-    """Processes for clones: as many as are wanted at the same time, each begun when all others are at work."""
+class ClonePool:
+    """Processes for clones: as many as may run at once, each started when all others are busy."""
 
     def __init__(self) -> None:
         self._free: list[Worker] = []
@@ -152,7 +152,7 @@ class Ovens:
         self._lock = threading.Lock()
 
     def call(self, method: str, *arguments: object, progress: Progress, show: Show = ignore) -> Any:
-        """Do a job in a process that has none; see `Worker.call`."""
+        """Do a job in an idle process; see `Worker.call`."""
         with self._lock:
             if not self._free:
                 self._free.append(Worker())
@@ -170,7 +170,9 @@ class Ovens:
             worker.stop()
 
 
-def _clone(worker: Ovens, folder: Path, formats: Sequence[str], progress: Progress, show: Show) -> tuple[Cloned, float]:
+def _clone(
+    worker: ClonePool, folder: Path, formats: Sequence[str], progress: Progress, show: Show
+) -> tuple[Cloned, float]:
     seconds = float(worker.call("clone", folder, tuple(formats), progress=progress, show=show))
     photos = placed_photos(folder)
     cloned = read_cloned(folder, photos)
@@ -195,7 +197,7 @@ def _pack(worker: Worker, folder: Path, result: Path, progress: Progress) -> Pat
     return made
 
 
-def _stroll(worker: Ovens, folder: Path, result: Path, progress: Progress) -> Path:
+def _stroll(worker: ClonePool, folder: Path, result: Path, progress: Progress) -> Path:
     made: Path = worker.call("stroll", folder, result, progress=progress)
     return made
 
@@ -205,13 +207,13 @@ def _studio(worker: Worker, method: str, arguments: tuple[object, ...], progress
 
 
 def points_by_view(values: Mapping[str, object], photos: PhotoSet) -> ProposedPoints:
-    """Return face and body points together, by view; nothing where they are not known."""
+    """Return face and body points together, by view; empty if unknown."""
     sets = [values[name] for name in ("face_points", "body_points") if name in values]
     found = {view: [one.views[view] for one in sets if view in one.views] for view in photos.photos}  # type: ignore[attr-defined]
-    return {view: together(parts) for view, parts in found.items() if parts}
+    return {view: merge_points(parts) for view, parts in found.items() if parts}
 
 
-def together(parts: list[ViewPoints]) -> ViewPoints:
+def merge_points(parts: list[ViewPoints]) -> ViewPoints:
     """Return the points of one view from several sets; the first set that names a point wins."""
     rows = {name: (part, row) for part in reversed(parts) for row, name in enumerate(part.names)}
     return ViewPoints(
@@ -223,6 +225,6 @@ def together(parts: list[ViewPoints]) -> ViewPoints:
     )
 
 
-def _stop(*workers: Worker | Ovens) -> None:
+def _stop(*workers: Worker | ClonePool) -> None:
     for worker in workers:
         worker.stop()

@@ -1,4 +1,4 @@
-"""The open visitor: photos, points and corrections, the clone, and the work under way."""
+"""The open visitor: photos, points and corrections, the clone, and running work."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from cloner.project.folder import write_corrections
 from cloner.records.clones import Clone, Joined
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ViewPoints
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.background.worker import Task
 from cloner_gui.event.clone_queue import CloneQueue
 from cloner_gui.event.commands import Swap
 from cloner_gui.event.services import ProposedPoints, Services, points_by_view, refitted_clone
-from cloner_gui.language.point_names import spoken
+from cloner_gui.language.point_names import point_label
 from cloner_gui.language.words import translate
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class Session(QObject):
     # --- the folder -------------------------------------------------------
 
     def open(self, folder: Path) -> None:
-        """Read a visitor's folder and show it; one that cannot be used leaves the old one open."""
+        """Read a visitor's folder and show it; an unusable one leaves the old one open."""
         try:
             opened = self.services.open(folder)
         except ClonerError as error:
@@ -95,7 +95,7 @@ class Session(QObject):
         self.take(opened)
 
     def take(self, opened: Opened) -> None:
-        """Show a visitor who was read already; what was found of the one before is forgotten."""
+        """Show a visitor who was read already; findings of the previous one are forgotten."""
         self._stop()
         same = opened.folder == self.folder
         self.folder, self.photos, self.person = opened.folder, opened.photos, opened.person
@@ -105,7 +105,7 @@ class Session(QObject):
         self.proposed = points_by_view(opened.proposed, opened.photos)
         self.outcome, self.moved = opened.cloned, None
         self.drags = self.drags if same else 0
-        newest().drop(self, "refit")
+        shared_latest().drop(self, "refit")
         self.undo_stack.clear()
         self.opened.emit()
         if self.outcome is not None and any(self.corrections.points.values()):
@@ -118,7 +118,7 @@ class Session(QObject):
         self.tray, self.looks, self.thumbnails = (), {}, {}
         self.height_cm, self.corrections, self.warnings = None, no_corrections(), ()
         self.proposed, self.outcome, self.moved, self.drags = {}, None, None, 0
-        newest().drop(self, "refit")
+        shared_latest().drop(self, "refit")
         self.undo_stack.clear()
         self.opened.emit()
 
@@ -134,18 +134,18 @@ class Session(QObject):
         return apply_corrections(proposed, self.corrections.points.get(view, {}), self.photos.photos[view])
 
     def place_point(self, view: ViewId, name: str, x_px: float, y_px: float, gesture: str = "") -> None:
-        """Correct one point; places off the photo are pulled back on to it."""
+        """Correct one point; positions off the photo are clamped to it."""
         photo = self.photos.photos[view]
         x_px, y_px = min(max(x_px, 0.0), photo.width_px - 1.0), min(max(y_px, 0.0), photo.height_px - 1.0)
         after = move_point(self.corrections, view, name, x_px, y_px, photo.digest)
-        self._push(after, translate("points", "moving %1").replace("%1", spoken(name)), gesture)
+        self._push(after, translate("points", "moving %1").replace("%1", point_label(name)), gesture)
 
     def reset_point(self, view: ViewId, name: str) -> None:
-        """Take one correction back, so that the proposal counts again."""
+        """Remove one correction, so that the proposal counts again."""
         if name in self.corrections.points.get(view, {}):
             self._push(
                 remove_point(self.corrections, view, name),
-                translate("points", "resetting %1").replace("%1", spoken(name)),
+                translate("points", "resetting %1").replace("%1", point_label(name)),
                 "",
             )
 
@@ -166,12 +166,12 @@ class Session(QObject):
         self.refit()
 
     def refit(self) -> None:
-        """Move the body of the last clone to the corrections; a body that cannot follow leaves the last one."""
+        """Move the body of the last clone to the corrections; if that fails the last one stays."""
         outcome = self.outcome
         if outcome is None or "joined" not in outcome.values:
             return
         work = functools.partial(refitted_clone, self.services.refit, outcome.values, self.corrections)
-        newest().ask(self, "refit", work, functools.partial(self._take_refit, outcome), self.failed.emit)
+        shared_latest().ask(self, "refit", work, functools.partial(self._take_refit, outcome), self.failed.emit)
 
     def _take_refit(self, outcome: Cloned, found: tuple[RefittedBody, Clone]) -> None:
         if outcome is self.outcome:
@@ -191,24 +191,24 @@ class Session(QObject):
         return self._moved_clone
 
     def shape_now(self) -> Shape | None:
-        """Return the body as far as the clone under way has come; None while none is made for this visitor."""
+        """Return the present body of the running clone; None if none runs for this visitor."""
         return None if self.folder is None else self.queue.shape(self.folder)
 
     # --- long work -----------------------------------------------------------------
 
     @property
     def busy(self) -> bool:
-        """Whether work for this visitor is under way or waits."""
+        """Whether work for this visitor runs or waits."""
         return self.seeking or self.cloning
 
     @property
     def seeking(self) -> bool:
-        """Whether points are sought in the photos."""
+        """Whether points are being searched in the photos."""
         return self._task is not None
 
     @property
     def cloning(self) -> bool:
-        """Whether the visitor is cloned just now or waits for it."""
+        """Whether the visitor is being cloned or waits for it."""
         return self.queue.holds(self.folder)
 
     def is_stale(self) -> bool:
@@ -231,7 +231,7 @@ class Session(QObject):
         task.start()
 
     def clone(self) -> None:
-        """Clone the person in the background, after those who wait already; points that are sought go on."""
+        """Clone the person in the background, after those who wait already; the search for points goes on."""
         if not self.cloning and self.folder is not None:
             log.info("%s: cloning after %d drags", self.folder.name, self.drags)
             self.queue.ask(self.folder)

@@ -6,9 +6,9 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner_gui.language.words import Spoken
+from cloner_gui.language.words import TranslatedWords
 
-FORMATS: Final = Spoken(
+FORMATS: Final = TranslatedWords(
     "formats",
     {
         "glb": QT_TRANSLATE_NOOP("formats", "GLB: games, web, telephone"),

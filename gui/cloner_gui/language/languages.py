@@ -17,7 +17,7 @@ FOLDER: Final = Path(__file__).parents[1] / "translations"
 
 @functools.cache
 def translator_of(code: str) -> QTranslator:
-    """Return the translator of a language; an empty one for English, which the program's own words are."""
+    """Return the translator of a language; an empty one for English, the source language."""
     made = QTranslator()
     if code != "en":
         made.load(str(FOLDER / f"cloner_{code}.qm"))
@@ -26,15 +26,15 @@ def translator_of(code: str) -> QTranslator:
 
 @functools.cache
 def qt_translator_of(code: str) -> QTranslator:
-    """Return the translator of Qt's own words: Save, Cancel, and all that stands in the dialogs for files."""
+    """Return the translator of Qt's own texts: Save, Cancel, and file dialogs."""
     made = QTranslator()
     if code != "en":
         made.load(f"qtbase_{code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
     return made
 
 
-def speak(code: str) -> None:
-    """Make the whole program speak a language; every widget hears of it (LanguageChange)."""
+def set_language(code: str) -> None:
+    """Set the whole program's language; every widget gets a LanguageChange event."""
     for other in LANGUAGE_NAMES:
         QCoreApplication.removeTranslator(translator_of(other))
         QCoreApplication.removeTranslator(qt_translator_of(other))
@@ -44,7 +44,7 @@ def speak(code: str) -> None:
 
 
 def consent_text(code: str, days: int, own: Mapping[str, str]) -> str:
-    """Return what visitors agree to in the visitor's language, whatever the window speaks.
+    """Return what visitors agree to in the visitor's language, whatever the window's language is.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What stands in the e-mail to a visitor, in the visitor's language, whatever the window speaks."""
+"""The text of the e-mail to a visitor, in the visitor's language, whatever the window's language is."""
 
 from __future__ import annotations
 

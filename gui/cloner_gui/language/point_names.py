@@ -1,4 +1,4 @@
-"""Points by the names that people give them, in the window's language."""
+"""Points by their common names, in the window's language."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner_gui.language.words import Spoken, translate
+from cloner_gui.language.words import TranslatedWords, translate
 
 _LEFT: Final = ("_L", "_left")
 _RIGHT: Final = ("_R", "_right")
 
 
-def spoken(name: str) -> str:
-    """Return a point's name as people say it: ``eye_inner_L`` is "inner corner of the eye, left"."""
+def point_label(name: str) -> str:
+    """Return a point's common name: ``eye_inner_L`` is "inner corner of the eye, left"."""
     base, side = _parted(name)
     words = NAMES[base] if base in NAMES else base.replace("_", " ")
     if not side:
@@ -39,7 +39,7 @@ def _parted(name: str) -> tuple[str, str]:
 
 
 #: Names without their sides.
-NAMES: Final = Spoken(
+NAMES: Final = TranslatedWords(
     "names",
     {
         "eye_inner": QT_TRANSLATE_NOOP("names", "inner corner of the eye"),

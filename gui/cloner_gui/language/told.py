@@ -12,10 +12,10 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.measures import BY_KEY
-from cloner_gui.language.point_names import is_point, spoken
+from cloner_gui.language.point_names import is_point, point_label
 from cloner_gui.language.told_sentences import SENTENCES as BOOTH_SENTENCES
 from cloner_gui.language.told_studio import STUDIO_SENTENCES
-from cloner_gui.language.words import VIEW_TITLES, Spoken, translate
+from cloner_gui.language.words import VIEW_TITLES, TranslatedWords, translate
 
 if TYPE_CHECKING:
     from cloner.interactive.refitting import RefittedBody
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 SENTENCES: Final = BOOTH_SENTENCES + STUDIO_SENTENCES
 
 
-def told(sentence: str) -> str:
-    """Return a sentence of the library in the window's language; one that nobody translated stays as it is."""
+def translated(sentence: str) -> str:
+    """Return a sentence of the library in the window's language; unknown ones unchanged."""
     found = template_of(sentence)
     if found is None:
         return sentence
@@ -37,17 +37,17 @@ def told(sentence: str) -> str:
     return text
 
 
-def told_error(error: ClonerError) -> str:
-    """Return what is wrong and what to do, in the window's language."""
-    where = told_where(error.where)
-    hint = told(error.hint)
-    message = told(error.message)
+def translated_error(error: ClonerError) -> str:
+    """Return an error's message and hint, in the window's language."""
+    where = translated_where(error.where)
+    hint = translated(error.hint)
+    message = translated(error.message)
     said = f"{where}: {message}" if where else message[:1].upper() + message[1:]
     return f"{said}. {hint}" + ("" if hint.endswith("?") else ".")
 
 
 #: Files of the program's own, as the operator knows them.
-FILES: Final = Spoken(
+FILES: Final = TranslatedWords(
     "told",
     {
         "event.json": QT_TRANSLATE_NOOP("told", "The event's settings"),
@@ -62,8 +62,8 @@ FILES: Final = Spoken(
 )
 
 
-def told_where(where: str) -> str:
-    """Return where something is wrong, without names of files and options that nobody sees here."""
+def translated_where(where: str) -> str:
+    """Return the place of an error, without names of files and options that the window does not show."""
     if where.startswith("--") or where in BY_KEY:  # the sentence names the measure itself
         return ""
     first, comma, rest = where.partition(", ")
@@ -75,28 +75,30 @@ def told_where(where: str) -> str:
     elif re.fullmatch(r"visitor-0*(\d+)", first):
         said = translate("visitor", "Visitor {n}").format(n=int(first[8:]))
     else:
-        said = FILES.get(first, "") or told(first)
+        said = FILES.get(first, "") or translated(first)
     view = rest.partition(".")[0]
     more = VIEW_TITLES[view] if view in list(ViewId) else rest
     return f"{said}, {more}" if comma and more else said
 
 
-def told_stale() -> str:
-    """Return that a clone is older than the points and the height."""
+def stale_text() -> str:
+    """Return the sentence that a clone is older than the points and the height."""
     return translate("clone", "Points or height were changed since: what is seen and taken away is the clone before.")
 
 
-def told_problem(problem: str) -> str:
-    """Return why a clone failed, as a visit's file keeps it (``str`` of the error), in the window's language."""
+def translated_problem(problem: str) -> str:
+    """Return why a clone failed, from a visit's file (``str`` of the error), in the window's language."""
     where, _, rest = problem.partition(": ")
     message, _, hint = rest.partition(". ")
-    return told_error(ClonerError(message, hint, where)) if hint else problem
+    return translated_error(ClonerError(message, hint, where)) if hint else problem
 
 
-def spoken_refit(refitted: RefittedBody) -> str:
-    """Return what became of the corrected points on the last clone's body."""
+def refit_text(refitted: RefittedBody) -> str:
+    """Return the result of the corrected points on the last clone's body."""
     failed = [
-        f"{VIEW_TITLES[one.view]}, {spoken(one.name)}: {told(one.note)}." for one in refitted.obeyed if one.is_missed
+        f"{VIEW_TITLES[one.view]}, {point_label(one.name)}: {translated(one.note)}."
+        for one in refitted.obeyed
+        if one.is_missed
     ]
     said = " ".join(failed) or translate("points", "The body follows; hair and textures will when you clone again.")
     more = translate("points", "Clone again: this changes more than is shown.")
@@ -104,7 +106,7 @@ def spoken_refit(refitted: RefittedBody) -> str:
 
 
 def template_of(sentence: str) -> tuple[str, tuple[str, ...]] | None:
-    """Return the known sentence that this one is, and what stands in its places; None for an unknown one."""
+    """Return the known sentence that matches, and its values; None for an unknown one."""
     if sentence in SENTENCES:
         return sentence, ()
     for template, pattern in _patterns():
@@ -117,7 +119,7 @@ def template_of(sentence: str) -> tuple[str, tuple[str, ...]] | None:
 def _told_part(part: str) -> str:
     if part in list(ViewId):
         return VIEW_TITLES[part]
-    return FILES.get(part, "") or (spoken(part) if is_point(part) else told(part))
+    return FILES.get(part, "") or (point_label(part) if is_point(part) else translated(part))
 
 
 @functools.cache

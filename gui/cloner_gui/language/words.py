@@ -15,8 +15,8 @@ from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
 translate = QCoreApplication.translate
 
 
-class Spoken(Mapping[str, str]):
-    """Words by key, translated when they are asked for."""
+class TranslatedWords(Mapping[str, str]):
+    """Words by key, translated on access."""
 
     def __init__(self, context: str, words: Mapping[str, object]) -> None:
         self._context, self._words = context, words
@@ -37,7 +37,7 @@ class Spoken(Mapping[str, str]):
         return len(self._words)
 
 
-VIEW_TITLES: Final = Spoken(
+VIEW_TITLES: Final = TranslatedWords(
     "views",
     {
         ViewId.BODY_FRONT: QT_TRANSLATE_NOOP("views", "Body, front"),
@@ -48,7 +48,7 @@ VIEW_TITLES: Final = Spoken(
     },
 )
 #: What the progress bar says for a step's name.
-STEPS: Final = Spoken(
+STEPS: Final = TranslatedWords(
     "steps",
     {
         "look": QT_TRANSLATE_NOOP("steps", "Looking at the photo"),
@@ -82,7 +82,7 @@ STEPS: Final = Spoken(
     },
 )
 #: One sentence each: what is wrong with a photo and what to do, for an operator with the visitor still there.
-TROUBLES: Final = Spoken(
+TROUBLES: Final = TranslatedWords(
     "troubles",
     {
         PhotoProblem.NOBODY: QT_TRANSLATE_NOOP(
@@ -103,7 +103,7 @@ TROUBLES: Final = Spoken(
         PhotoProblem.BRIGHT: QT_TRANSLATE_NOOP("troubles", "It is burnt out: less light or a shorter exposure."),
     },
 )
-STATES: Final = Spoken(
+STATES: Final = TranslatedWords(
     "states",
     {
         State.NONE: QT_TRANSLATE_NOOP("states", "in progress"),
@@ -113,7 +113,7 @@ STATES: Final = Spoken(
     },
 )
 #: Who may use a visitor's files, by licence; and what that means.
-LICENCE_NAMES: Final = Spoken(
+LICENCE_NAMES: Final = TranslatedWords(
     "licences",
     {
         "own": QT_TRANSLATE_NOOP("licences", "the visitor alone"),
@@ -121,7 +121,7 @@ LICENCE_NAMES: Final = Spoken(
         "everyone": QT_TRANSLATE_NOOP("licences", "everybody"),
     },
 )
-LICENCE_MEANINGS: Final = Spoken(
+LICENCE_MEANINGS: Final = TranslatedWords(
     "licences",
     {
         "own": QT_TRANSLATE_NOOP("licences", "Nobody else may use the files or earn money with them."),
@@ -149,13 +149,13 @@ CONSENT_KEPT: Final = str(
 )
 
 
-def spoken_step(step: str) -> str:
-    """Return what a step does."""
+def step_text(step: str) -> str:
+    """Return the description of a step."""
     return STEPS.get(step or "photos", step.capitalize())
 
 
-def spoken_time(seconds: float) -> str:
-    """Return how long something still takes, no more exactly than it is known."""
+def duration_text(seconds: float) -> str:
+    """Return a remaining time, no more exactly than it is known."""
     if seconds < 8:
         return translate("time", "a few seconds")
     if seconds < 90:

@@ -1,4 +1,4 @@
-"""The sentence that says why the points are worth a look, or that they are not."""
+"""The sentence on which points deserve a check, or that none do."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from cloner.booth.visitors.uncertain import MOST, Effect, effect_of_point, uncertain_points
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints
-from cloner_gui.language.point_names import spoken
-from cloner_gui.language.words import VIEW_TITLES, Spoken, translate
+from cloner_gui.language.point_names import point_label
+from cloner_gui.language.words import VIEW_TITLES, TranslatedWords, translate
 
-CHANGES = Spoken(
+CHANGES = TranslatedWords(
     "worth",
     {
         Effect.HEIGHT: QT_TRANSLATE_NOOP("worth", "the height"),
@@ -23,12 +23,12 @@ CHANGES = Spoken(
 )
 
 
-def told_worth(points: Mapping[ViewId, ViewPoints]) -> str:
-    """Return which points are worth a look and what they change, in the window's language."""
+def uncertain_text(points: Mapping[ViewId, ViewPoints]) -> str:
+    """Return which points deserve a check and what they affect, in the window's language."""
     found = [(view, name) for view, names in uncertain_points(points).items() for name in names]
     if not found:
         return translate("worth", "All points are sure: the clone needs no hand.")
-    names = ", ".join(f"{spoken(name)} ({VIEW_TITLES[view]})" for view, name in found[:MOST])
+    names = ", ".join(f"{point_label(name)} ({VIEW_TITLES[view]})" for view, name in found[:MOST])
     more = len(found) - MOST
     if more > 0:
         names += translate("worth", " and {n} more").format(n=more)

@@ -1,1 +1,1 @@
-"""One file a page: each reads the session and sends edits to it."""
+"""One file per page: each reads the session and sends edits to it."""

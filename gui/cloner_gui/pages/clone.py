@@ -1,4 +1,4 @@
-"""Fourth page: clone, and look at the result."""
+"""Fourth page: clone, and view the result."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from cloner_gui.canvas.clones.preview_panel import PreviewPanel
 from cloner_gui.canvas.clones.reveal import Reveal
 from cloner_gui.event.booth import Booth
 from cloner_gui.event.leaving import has_front
-from cloner_gui.language.told import told, told_problem, told_stale
-from cloner_gui.language.words import spoken_step, translate
+from cloner_gui.language.told import stale_text, translated, translated_problem
+from cloner_gui.language.words import step_text, translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import button, label, scrolled
+from cloner_gui.widgets.pieces import button, label, make_scrollable
 
 #: Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.
 PARTS = ("points", "fine", "join", "hair", "report")
@@ -74,7 +74,7 @@ class ClonePage(QWidget):
         column.addWidget(self.stale)
         column.addWidget(self.panel, 1)
         column.addWidget(self.warnings)
-        scrolled(self, inside)
+        make_scrollable(self, inside)
 
     def _connect(self) -> None:
         session = self._session
@@ -169,16 +169,16 @@ class ClonePage(QWidget):
     def _show_warnings(self) -> None:
         """Say what the clone lacks, or why there is none."""
         outcome, folder = self._session.outcome, self._session.folder
-        said = [] if outcome is None else [told(text) for text in outcome.warnings]
+        said = [] if outcome is None else [translated(text) for text in outcome.warnings]
         if folder is not None and not self._session.cloning:
-            said.insert(0, told_problem(read_visit(folder).problem))
+            said.insert(0, translated_problem(read_visit(folder).problem))
         self.warnings.setText("\n".join(f"• {text}" for text in said if text))
         self.warnings.setVisible(bool(self.warnings.text()))
 
     def _show_stale(self) -> None:
         """Say that the clone is not of the points and the height as they are now."""
         stale = self._session.is_stale() and not self._session.cloning
-        self.stale.setText(told_stale() if stale else "")
+        self.stale.setText(stale_text() if stale else "")
         self.stale.setVisible(stale)
         again = self._session.outcome is not None
         self.clone_button.setText(translate("clone", "C&lone again") if again else translate("clone", "C&lone"))
@@ -205,7 +205,7 @@ class ClonePage(QWidget):
         if not self._session.cloning:
             return  # points are sought: that is told where they are seen
         self.progress.setValue(round(1000 * fraction))
-        self.status.setText(spoken_step(step))
+        self.status.setText(step_text(step))
         if step in PARTS:
             self._done_parts = max(self._done_parts, PARTS.index(step))
         self._show_parts()

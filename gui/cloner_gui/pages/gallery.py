@@ -1,4 +1,4 @@
-"""Everybody of the event as small pictures: searched, opened, cloned again, thrown away and brought back."""
+"""The event's visitors as thumbnails: searched, opened, cloned again, deleted and restored."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ from cloner.frames import ViewId
 from cloner.project.folder import safe_identifier
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.event.booth import Booth
-from cloner_gui.event.day_label import DayNumbers
+from cloner_gui.event.day_label import DayLabel
 from cloner_gui.language.words import STATES, translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.letters import settle_dialog
-from cloner_gui.widgets.pieces import button, label, name, roomy
+from cloner_gui.widgets.letters import assign_to_dialog
+from cloner_gui.widgets.pieces import button, label, set_accessible_name, set_window_size
 
 _ICON_PX = QSize(120, 160)
 _EDGE_PX = 8  # around an entry, as the style sheet has it
@@ -47,10 +47,10 @@ class GalleryWindow(QDialog):
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("gallery", "Everybody of today"))
-        roomy(self, 900, 640)
+        set_window_size(self, 900, 640)
         self.search, self.which, self.list = QLineEdit(), QComboBox(), QListWidget()
         self.told, self.numbers_label = label("dim"), label()
-        self.numbers = DayNumbers(booth, self)
+        self.numbers = DayLabel(booth, self)
         self.open_button, self.again_button, self.trash_button = button("main"), button(), button()
         self.before_button = button()
         self.back_button, self.forget_button, self.numbers_button = button(), button("danger"), button()
@@ -63,7 +63,7 @@ class GalleryWindow(QDialog):
         self._lay_out()
         self._connect()
         self.show_all()
-        settle_dialog(self)
+        assign_to_dialog(self)
 
     def _lay_out(self) -> None:
         self.list.setViewMode(QListView.ViewMode.IconMode)
@@ -88,7 +88,7 @@ class GalleryWindow(QDialog):
             (self.which, translate("gallery", "Who is shown")),
             (self.list, translate("gallery", "Visitors of this event")),
         ):
-            name(widget, text)
+            set_accessible_name(widget, text)
         for one, text in (
             (self.open_button, translate("gallery", "&Open")),
             (self.again_button, translate("gallery", "Clone &again")),
@@ -230,7 +230,7 @@ class GalleryWindow(QDialog):
 
 
 def picture_of(folder: Path) -> Path | None:
-    """Return the picture by which a visitor is known: of the clone, else a photo; None without either."""
+    """Return a visitor's thumbnail: of the clone, else a photo; None without either."""
     previews = folder / RESULTS / safe_identifier(folder.name) / "previews"
     for path in (folder / "phone" / "picture.jpg", previews / "face.jpg", previews / "face.png"):
         if path.is_file():

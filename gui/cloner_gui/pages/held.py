@@ -1,4 +1,4 @@
-"""What the event holds of whom: listed, saved for a visitor who asks, deleted."""
+"""What the event stores of whom: listed, exported for a visitor, deleted."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ from PySide6.QtWidgets import (
 
 from cloner.booth.visitors.person_file import consent_when
 from cloner.personal_data.holdings import Holding
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.event.booth import Booth
 from cloner_gui.language.words import translate
-from cloner_gui.widgets.pieces import button, label, name, roomy, show_whole_columns
+from cloner_gui.widgets.pieces import button, label, set_accessible_name, set_window_size, show_whole_columns
 
 
 class HeldWindow(QDialog):
-    """Everybody of whom something is held."""
+    """Everybody of whom something is stored."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("privacy", "What is held"))
-        roomy(self, 820, 520)
+        set_window_size(self, 820, 520)
         self.summary = label("heading")
         self.table = QTableWidget(0, 5)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.verticalHeader().hide()
         show_whole_columns(self.table)
-        name(self.table, translate("privacy", "What is held, by visitor"))
+        set_accessible_name(self.table, translate("privacy", "What is held, by visitor"))
         self.save_button, self.forget_button = button(), button("danger")
         self.save_button.setText(translate("privacy", "&Save everything held…"))
         self.forget_button.setText(translate("privacy", "&Delete the marked visitors…"))
@@ -51,7 +51,7 @@ class HeldWindow(QDialog):
 
     def show_all(self) -> None:
         """Count what is held of everybody, beside the window's thread: that is every file of the event."""
-        newest().ask(self, "held", self._booth.held_soon(), self._fill, self._booth.failed.emit)
+        shared_latest().ask(self, "held", self._booth.held_soon(), self._fill, self._booth.failed.emit)
 
     def _fill(self, held: tuple[Holding, ...]) -> None:
         size = sum(one.size_bytes for one in held) / 1e6

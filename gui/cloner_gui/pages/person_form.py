@@ -1,4 +1,4 @@
-"""What is known of the open visitor: name or number, height, language and consent; saved as it is typed."""
+"""The open visitor's data: name or number, height, language and consent; saved as it is entered."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from cloner_gui.event.booth import Booth
 from cloner_gui.language.languages import LANGUAGE_NAMES, consent_text
 from cloner_gui.language.words import translate
 from cloner_gui.widgets.height_field import HeightField
-from cloner_gui.widgets.letters import literal, unmarked
+from cloner_gui.widgets.letters import escape_mnemonic, without_mnemonic
 from cloner_gui.widgets.licence_field import LicenceField
-from cloner_gui.widgets.pieces import GAP, Card, beside, button, label, name
+from cloner_gui.widgets.pieces import GAP, Card, box_with_label, button, label, set_accessible_name
 
 #: Typing that rests so long is saved, milliseconds.
 _SAVE_AFTER_MS = 400
@@ -112,11 +112,11 @@ class PersonForm(Card):
         self.column.addWidget(self.consent_text)
         self.column.addWidget(self.licence_label)
         self.column.addWidget(self.licence)
-        self.column.addLayout(beside(self.consent_box, self.consent_words))
+        self.column.addLayout(box_with_label(self.consent_box, self.consent_words))
         self.column.addWidget(self.consent_note)
-        self.column.addLayout(beside(self.shown_box, self.shown_words))
+        self.column.addLayout(box_with_label(self.shown_box, self.shown_words))
         self.column.addWidget(self.shown_why)
-        self.column.addLayout(beside(self.inhabits_box, self.inhabits_words))
+        self.column.addLayout(box_with_label(self.inhabits_box, self.inhabits_words))
         self.column.addWidget(self.agree_button)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -142,7 +142,7 @@ class PersonForm(Card):
             (self.consent_box, translate("visitor", "The visitor agrees")),
             (self.shown_box, translate("visitor", "May be seen on the screen for visitors")),
         ):
-            name(field, text)
+            set_accessible_name(field, text)
         self.height_field.speak()
         self._show()
 
@@ -190,8 +190,8 @@ class PersonForm(Card):
         """Ask whether the clone may walk in the event's scene, where there is one."""
         scene = self._booth.settings.scene
         told = translate("visitor", "The clone may &walk in the scene “{scene}”")
-        self.inhabits_words.setText(told.format(scene=literal(scene)))
-        name(self.inhabits_box, unmarked(told).format(scene=scene))
+        self.inhabits_words.setText(told.format(scene=escape_mnemonic(scene)))
+        set_accessible_name(self.inhabits_box, without_mnemonic(told).format(scene=scene))
         self.inhabits_box.setChecked(folder is not None and read_visit(folder).inhabits)
         self.inhabits_box.setEnabled(consents)
         for one in (self.inhabits_box, self.inhabits_words):

@@ -1,4 +1,4 @@
-"""Second page: photos come in, find their places, and are judged while the visitor is still there."""
+"""Second page: photos arrive, are assigned to views, and checked while the visitor is still there."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from cloner_gui.canvas.photos.webcam import WebcamDialog
 from cloner_gui.canvas.photos.whole_photo import WholePhoto
 from cloner_gui.event.booth import Booth
 from cloner_gui.event.leaving import has_front
-from cloner_gui.language.told import told as told_text
+from cloner_gui.language.told import translated as told_text
 from cloner_gui.language.words import TROUBLES, VIEW_TITLES, translate, what_is_missing
-from cloner_gui.language.worth import told_worth
+from cloner_gui.language.worth import uncertain_text
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.letters import literal, unmarked
-from cloner_gui.widgets.pieces import GAP, button, label, name, scrolled
+from cloner_gui.widgets.letters import escape_mnemonic, without_mnemonic
+from cloner_gui.widgets.pieces import GAP, button, label, make_scrollable, set_accessible_name
 
 #: Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.
 _SEEK_AFTER_MS = 500
@@ -80,7 +80,7 @@ class PhotosPage(QWidget):
         column.addWidget(self.worth_label)
         column.addWidget(self.tray_label)
         column.addWidget(self.tray)
-        scrolled(self, inside)
+        make_scrollable(self, inside)
 
     def _connect(self) -> None:
         booth, intake = self._booth, self._booth.intake
@@ -115,12 +115,12 @@ class PhotosPage(QWidget):
         self.paste_button.setText(translate("photos", "&Paste"))
         watched = translate("photos", "Camera folder: {name}").format(name=Path(camera).name)
         wanted = translate("photos", "&Camera folder…")
-        self.watch_button.setText(literal(watched) if camera else wanted)
+        self.watch_button.setText(escape_mnemonic(watched) if camera else wanted)
         self.webcam_button.setText(translate("photos", "&Webcam…"))
         told = translate("photos", "Photos that appear in this folder are taken at once")
         self.unwatch_button.setVisible(bool(camera))
-        name(self.unwatch_button, translate("photos", "Watch no camera folder any more"))
-        name(self.watch_button, watched if camera else unmarked(wanted), told)
+        set_accessible_name(self.unwatch_button, translate("photos", "Watch no camera folder any more"))
+        set_accessible_name(self.watch_button, watched if camera else without_mnemonic(wanted), told)
         self.tray_label.setText(translate("photos", "Photos without a place"))
         self._show()
 
@@ -185,7 +185,7 @@ class PhotosPage(QWidget):
         session = self._booth.session
         points = {view: session.points(view) for view in session.photos.photos}
         known = {view: one for view, one in points.items() if one is not None}
-        self.worth_label.setText(told_worth(known) if known else "")
+        self.worth_label.setText(uncertain_text(known) if known else "")
         self.worth_label.setVisible(bool(known))
 
     def _show_whole(self, view: ViewId) -> None:

@@ -1,4 +1,4 @@
-"""Third page: see the proposed points on all photos, worst first, and drag them right."""
+"""Third page: the proposed points on all photos, most uncertain first, corrected by dragging."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QSplitter, QStackedWidget, Q
 
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, next_anchor
-from cloner_gui.background.newest import newest
-from cloner_gui.canvas.clones.orbit import framing_of
+from cloner_gui.background.newest import shared_latest
+from cloner_gui.canvas.clones.orbit import photo_view_camera
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.photos.filmstrip import Filmstrip
-from cloner_gui.canvas.photos.hints import legend, told_point, told_rest
+from cloner_gui.canvas.photos.hints import legend_text, point_text, remaining_text
 from cloner_gui.canvas.photos.live import LiveOutlines
-from cloner_gui.canvas.photos.picking import next_of, worst_first
+from cloner_gui.canvas.photos.picking import next_in_order, worst_first
 from cloner_gui.canvas.photos.view import PhotoView
 from cloner_gui.event.session import Session
-from cloner_gui.language.told import spoken_refit
-from cloner_gui.language.words import VIEW_TITLES, spoken_step, translate
+from cloner_gui.language.told import refit_text
+from cloner_gui.language.words import VIEW_TITLES, step_text, translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import button, name, scrolled
+from cloner_gui.widgets.pieces import button, make_scrollable, set_accessible_name
 
 #: The clone's outline is drawn anew when the hand has rested so long: it costs as much as the preview.
 _OUTLINE_AFTER_MS = 250
@@ -79,12 +79,12 @@ class PointsPage(QWidget):
         """Go to the next point, the least sure first, whichever photo it is on; -1 goes back."""
         view = self.view
         now = None if view is None or not self.views[view].chosen else (view, self.views[view].chosen)
-        found = next_of(self._order, now, step)
+        found = next_in_order(self._order, now, step)
         if found is not None:
             self.show_view(found[0])
             self.views[found[0]].setFocus()
             self.views[found[0]].choose(found[1], close=True)
-            self.status.setText(told_rest(self._order, self._points, found))
+            self.status.setText(remaining_text(self._order, self._points, found))
 
     # --- making -------------------------------------------------------------------
 
@@ -110,7 +110,7 @@ class PointsPage(QWidget):
         column.addWidget(self.status)
         column.addWidget(self.legend)
         column.addWidget(self.keys)
-        scrolled(self, inside)
+        make_scrollable(self, inside)
 
     def _connect(self) -> None:
         session = self._session
@@ -142,8 +142,8 @@ class PointsPage(QWidget):
         )
         for widget, text, told in says:
             widget.setText(text)
-            name(widget, told.split(" (")[0] if widget is self.previous else text, told)
-        self.legend.setText(legend())
+            set_accessible_name(widget, told.split(" (")[0] if widget is self.previous else text, told)
+        self.legend.setText(legend_text())
         self.keys.setText(
             translate("points", "Tab: next point. Arrows: 1 pixel, with Shift 10. Wheel or + and −: zoom. Home: all.")
         )
@@ -218,7 +218,7 @@ class PointsPage(QWidget):
         """Show what changed since the last time."""
         session, corrections = self._session, self._session.corrections
         for view, canvas in self.views.items():
-            name(canvas, VIEW_TITLES[view])
+            set_accessible_name(canvas, VIEW_TITLES[view])
             canvas.setAccessibleDescription(self.keys.text())
             state = (session.proposed.get(view), corrections.points.get(view, {}))
             if state == self._shown.get(view, ()):
@@ -258,7 +258,7 @@ class PointsPage(QWidget):
         from cloner.interactive.refitting import outline_px  # the whole fit: not paid for before there is a clone
 
         work = functools.partial(outline_px, person, view)
-        newest().ask(canvas, "clone outline", work, canvas.set_clone_outline, self._session.failed.emit)
+        shared_latest().ask(canvas, "clone outline", work, canvas.set_clone_outline, self._session.failed.emit)
 
     def _show_clone(self) -> None:
         self.preview.set_clone(self._session.clone_now())
@@ -268,14 +268,14 @@ class PointsPage(QWidget):
 
     def _frame_preview(self, view: ViewId) -> None:
         """See the clone from where the photo saw the person."""
-        self.preview.frame(framing_of(self._session.clone_now(), view))
+        self.preview.frame(photo_view_camera(self._session.clone_now(), view))
 
     def _show_refit(self) -> None:
         """Show where the body went, and say what it could not follow."""
         self.preview.update_clone(self._session.clone_now())
         self._clone_later.start()
         if self._session.moved is not None:
-            self.status.setText(spoken_refit(self._session.moved))
+            self.status.setText(refit_text(self._session.moved))
 
     def _show_busy(self) -> None:
         session = self._session
@@ -291,8 +291,8 @@ class PointsPage(QWidget):
         if not self._session.seeking:
             return
         self.progress.setValue(round(1000 * fraction))
-        self.status.setText(spoken_step(step))
+        self.status.setText(step_text(step))
 
     def _tell_point(self, chosen: str) -> None:
         """Say which point this is, how sure it is, and how to place it."""
-        self.hint.setText(told_point(None if self.view is None else self._points.get(self.view), chosen))
+        self.hint.setText(point_text(None if self.view is None else self._points.get(self.view), chosen))

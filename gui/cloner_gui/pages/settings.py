@@ -1,4 +1,4 @@
-"""What holds for every visitor of the event: its name, how long visitors are kept, and what they agree to."""
+"""Settings for every visitor of the event: its name, retention, and the consent."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from cloner.records.terms import LICENCES
 from cloner_gui.event.booth import Booth
 from cloner_gui.language.languages import LANGUAGE_NAMES, consent_text
 from cloner_gui.language.words import translate
-from cloner_gui.widgets.letters import settle_dialog
+from cloner_gui.widgets.letters import assign_to_dialog
 from cloner_gui.widgets.licence_field import LicenceField
 from cloner_gui.widgets.logo_field import LogoField
-from cloner_gui.widgets.pieces import label, name, roomy
+from cloner_gui.widgets.pieces import label, set_accessible_name, set_window_size
 
 
 class SettingsWindow(QDialog):
-    """The event's settings; nothing counts before they are saved."""
+    """The event's settings; they take effect when saved."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._booth, settings = booth, booth.settings
         self._consents = dict(settings.consents)
         self.setWindowTitle(translate("settings", "This event"))
-        roomy(self, 640, 620)
+        set_window_size(self, 640, 620)
         self.title, self.consent, self.language = QLineEdit(settings.title), QPlainTextEdit(), QComboBox()
         self.logo, self.scene = LogoField(settings.logo), QLineEdit(settings.scene)
         self.days, self.trash, self.licence = QSpinBox(), QSpinBox(), LicenceField()
@@ -52,7 +52,7 @@ class SettingsWindow(QDialog):
         self.language.currentIndexChanged.connect(self._show_language)
         self.days.valueChanged.connect(self._show_usual)
         self.consent.textChanged.connect(self._take_text)
-        settle_dialog(self)
+        assign_to_dialog(self)
 
     def _fill(self) -> None:
         settings = self._booth.settings
@@ -113,7 +113,7 @@ class SettingsWindow(QDialog):
             (self.pin, translate("settings", "Number of the operator")),
             (self.consent, translate("settings", "What visitors agree to")),
         ):
-            name(widget, text)
+            set_accessible_name(widget, text)
         inside.setLayout(form)
         room.setWidget(inside)
         room.setWidgetResizable(True)

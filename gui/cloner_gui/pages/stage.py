@@ -1,4 +1,4 @@
-"""The screen for visitors: the newest clone shows itself, then those of the day, and a line says who is next."""
+"""The screen for visitors: the latest clone presents itself, then those of the day, and a line says who is next."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from cloner.booth.walk_pictures import read_walk_pictures
 from cloner.errors import ClonerError
 from cloner.project.clone_file import load_clone
 from cloner.records.clones import Clone
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.background.worker import Task
-from cloner_gui.canvas.clones.attract import Attract
+from cloner_gui.canvas.clones.attract import AttractLoop
 from cloner_gui.canvas.clones.parade import MOST, Parade, read_walkers
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.reveal import Reveal
@@ -46,7 +46,7 @@ class StageWindow(QWidget):
         self._shows = True
         self._wanted: list[Path] = []
         self.title, self.who, self.queue = label("title"), label("title"), label("heading")
-        self.logo, self.preview, self.attract, self.middle = QLabel(), Preview(), Attract(), QStackedWidget()
+        self.logo, self.preview, self.attract, self.middle = QLabel(), Preview(), AttractLoop(), QStackedWidget()
         self.parade = Parade()
         for widget in (self.preview, self.attract, self.parade):
             self.middle.addWidget(widget)
@@ -100,7 +100,7 @@ class StageWindow(QWidget):
             self._take(None, None)
             return
         work = functools.partial(load_clone, result_of(chosen) / CLONE_FILE)
-        newest().ask(self, "stage", work, functools.partial(self._take, chosen), self._skip)
+        shared_latest().ask(self, "stage", work, functools.partial(self._take, chosen), self._skip)
 
     def show_crowd(self) -> bool:
         """Let the day's people walk by; return whether there are enough of them."""
@@ -110,7 +110,7 @@ class StageWindow(QWidget):
         if len(files) < _CROWD_LEAST:
             return False
         self._still.start(_CROWD_MS)
-        newest().ask(self, "crowd", functools.partial(read_walkers, files), self._take_crowd, self._skip)
+        shared_latest().ask(self, "crowd", functools.partial(read_walkers, files), self._take_crowd, self._skip)
         return True
 
     def _take_crowd(self, images: dict[Path, QImage]) -> None:

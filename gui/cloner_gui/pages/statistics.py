@@ -1,4 +1,4 @@
-"""The operator's own window: what each visitor cost. Never on the visitor's screen unless it is asked for."""
+"""The operator's window of statistics: the effort per visitor. Never on the visitors' screen by itself."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
 from cloner_gui.event.booth import Booth
 from cloner_gui.language.words import STATES, translate
-from cloner_gui.widgets.pieces import label, name, roomy, show_whole_columns
+from cloner_gui.widgets.pieces import label, set_accessible_name, set_window_size, show_whole_columns
 
 
 class StatisticsWindow(QDialog):
-    """Seconds, clicks and drags, a row for every visitor."""
+    """Seconds, clicks and drags, one row per visitor."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("statistics", "Operator's effort"))
-        roomy(self, 820, 480)
+        set_window_size(self, 820, 480)
         self.summary = label("heading")
         self.table = QTableWidget(0, 7)
         self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
         self.table.verticalHeader().hide()
         show_whole_columns(self.table)
-        name(self.table, translate("statistics", "Effort by visitor"))
+        set_accessible_name(self.table, translate("statistics", "Effort by visitor"))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         save = buttons.addButton(translate("statistics", "&Save as table…"), QDialogButtonBox.ButtonRole.ActionRole)
         save.clicked.connect(self._save)

@@ -1,4 +1,4 @@
-"""Last page: what the visitor takes home, and how everything of the visitor goes."""
+"""Last page: what the visitor takes home, and deletion."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ from cloner.booth.handover.takeaway import free_name, link_text, qr_modules
 from cloner.booth.stage import scene_clones
 from cloner.booth.visitors.person_file import consent_when
 from cloner.errors import ClonerError
-from cloner_gui.canvas.photos.painting import pixmap_of
+from cloner_gui.canvas.photos.painting import to_pixmap
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.event.booth import Booth
 from cloner_gui.event.handing import Handing
 from cloner_gui.event.keepsakes import Keepsakes
 from cloner_gui.event.phone import Phone
 from cloner_gui.language.formats import FORMATS
-from cloner_gui.language.told import told_stale
+from cloner_gui.language.told import stale_text
 from cloner_gui.language.words import translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.widgets.pieces import GAP, Card, button, label, make_scrollable, set_accessible_name
 from cloner_gui.widgets.stick_row import StickRow
 
 _CODE_PX = 200
@@ -107,7 +107,7 @@ class TakeawayPage(QWidget):
         for card in (files, code, self.keepsakes, data):
             card.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
             row.addWidget(card)
-        scrolled(self, inside)
+        make_scrollable(self, inside)
 
     def _connect(self) -> None:
         session = self._booth.session
@@ -153,14 +153,14 @@ class TakeawayPage(QWidget):
         self.report_button.setText(translate("takeaway", "Show &report"))
         self.show_button.setText(translate("takeaway", "Show &folder"))
         self.phone_box.setText(translate("takeaway", "&Page for telephones on this network"))
-        name(self.phone_box, translate("takeaway", "Page for telephones on this network"))
+        set_accessible_name(self.phone_box, translate("takeaway", "Page for telephones on this network"))
         self.export_button.setText(translate("takeaway", "Save &everything held…"))
         self.forget_button.setText(translate("takeaway", "&Delete this visitor…"))
         told = translate("takeaway", "Text or address in the code; {id} stands for the visitor")
-        name(self.link, translate("takeaway", "Text of the code"), told)
+        set_accessible_name(self.link, translate("takeaway", "Text of the code"), told)
         self.link.setPlaceholderText("https://…/{id}")
-        name(self.code, translate("takeaway", "Code to scan"))
-        name(self.bar, translate("takeaway", "How far the files are"))
+        set_accessible_name(self.code, translate("takeaway", "Code to scan"))
+        set_accessible_name(self.bar, translate("takeaway", "How far the files are"))
         self.sticks.speak()
         self.keepsakes.speak()
         for kind, box in self.formats.items():
@@ -171,7 +171,7 @@ class TakeawayPage(QWidget):
         """Show what can be taken."""
         session, settings = self._booth.session, self._booth.settings
         ready = session.outcome is not None and not self.handing.busy
-        self.stale.setText(told_stale())
+        self.stale.setText(stale_text())
         self.stale.setVisible(session.is_stale() and not session.cloning)
         for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
             one.setEnabled(ready)
@@ -290,4 +290,4 @@ def _code_pixmap(modules: NDArray[np.bool_]) -> QPixmap:
     """Return the code with whole pixels a module, black on white whatever the window's colours: scanners want that."""
     each = max(1, _CODE_PX // len(modules))
     grey = np.where(modules, 0, 255).astype(np.uint8).repeat(each, axis=0).repeat(each, axis=1)
-    return pixmap_of(np.repeat(grey[:, :, None], 3, axis=2))
+    return to_pixmap(np.repeat(grey[:, :, None], 3, axis=2))

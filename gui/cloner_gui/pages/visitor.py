@@ -1,4 +1,4 @@
-"""First page: who is here, who stands there, how tall, and whether they agree."""
+"""First page: the event's visitors, and name, height and consent of the open one."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QHBoxLayout, QListWidget, QListWidgetItem, QMenu, 
 from cloner.booth.visitors.visits import State
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.told import told_problem
+from cloner_gui.language.told import translated_problem
 from cloner_gui.language.words import STATES, translate
 from cloner_gui.pages.person_form import PersonForm
-from cloner_gui.widgets.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.widgets.pieces import GAP, Card, button, label, make_scrollable, set_accessible_name
 from cloner_gui.widgets.recent_card import RecentCard
 
 _MARKS = {State.NONE: "○", State.WAITING: "◔", State.CLONED: "●", State.FAILED: "!"}
@@ -73,7 +73,7 @@ class VisitorPage(QWidget):
         column.addWidget(self.hint)
         column.addWidget(self.recent)
         column.addStretch(1)
-        scrolled(right, inside)
+        make_scrollable(right, inside)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(GAP)
@@ -95,7 +95,7 @@ class VisitorPage(QWidget):
         self.heading.setText(translate("visitor", "Visitors"))
         self.new_button.setText(translate("visitor", "&New visitor"))
         self.open_button.setText(translate("visitor", "&Open…"))
-        name(self.list, translate("visitor", "Visitors of this event"))
+        set_accessible_name(self.list, translate("visitor", "Visitors of this event"))
         self._show()
 
     def _show(self) -> None:
@@ -130,7 +130,7 @@ class VisitorPage(QWidget):
             item.setText(f"{_MARKS[state]}  {called}\n     {STATES[state]}")
             item.setData(Qt.ItemDataRole.UserRole, place)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{called}, {STATES[state]}")
-            item.setToolTip(told_problem(problem))
+            item.setToolTip(translated_problem(problem))
             if place == folder and self.list.currentItem() is not item:
                 self.list.setCurrentItem(item)
         self.list.blockSignals(False)

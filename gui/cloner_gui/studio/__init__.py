@@ -1,1 +1,1 @@
-"""The studio: windows for what an operator makes of finished clones, and of nobody's."""
+"""The studio: windows that work on finished clones, or start from nothing."""

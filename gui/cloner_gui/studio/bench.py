@@ -1,4 +1,4 @@
-"""What all windows of the studio share: controls beside a picture, one job at a time, and a bar that tells of it."""
+"""What all windows of the studio share: controls beside a picture, one job at a time, and a progress bar."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QProgre
 from cloner.errors import ClonerError
 from cloner_gui.background.worker import Task
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.words import spoken_step, translate
-from cloner_gui.widgets.letters import settle_dialog, unmarked
+from cloner_gui.language.words import step_text, translate
+from cloner_gui.widgets.letters import assign_to_dialog, without_mnemonic
 from cloner_gui.widgets.notice import Notice
-from cloner_gui.widgets.pieces import GAP, Scrolled, button, label, name, roomy
+from cloner_gui.widgets.pieces import GAP, Scrolled, button, label, set_accessible_name, set_window_size
 
 #: Width of the controls beside the picture, lines of text; taste.
 _CONTROLS_LINES = 19
@@ -32,13 +32,13 @@ class Bench(QDialog):
         super().__init__(parent)
         self.booth = booth
         self.setWindowTitle(title)
-        roomy(self, 1000, 680)
+        set_window_size(self, 1000, 680)
         self.controls, self.stage, self.deeds = QVBoxLayout(), QVBoxLayout(), QHBoxLayout()
         self.status, self.bar, self.cancel_button, self.written = QLabel(), QProgressBar(), button(), label("good")
         self.cancel_button.setText(translate("studio", "Ca&ncel"))
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        name(self.bar, translate("studio", "How far the work is"))
+        set_accessible_name(self.bar, translate("studio", "How far the work is"))
         self._task: Task | None = None
         self._quiet = False
         self._show_work: Callable[[Any], None] = _unseen
@@ -132,7 +132,7 @@ class Bench(QDialog):
 
     def _tell(self, step: str, fraction: float) -> None:
         self.bar.setValue(round(1000 * fraction))
-        self.status.setText(spoken_step(step) if step else "")
+        self.status.setText(step_text(step) if step else "")
 
     def _done(self) -> None:
         self._task = None
@@ -160,7 +160,7 @@ class Bench(QDialog):
 
     def settle(self) -> None:
         """Give every control a letter of its own; call when all stand."""
-        settle_dialog(self)
+        assign_to_dialog(self)
 
     # --- pieces ------------------------------------------------------------------------
 
@@ -168,13 +168,13 @@ class Bench(QDialog):
         """Put a field with its label under the others."""
         above = QLabel(text)
         above.setBuddy(widget)
-        name(widget, unmarked(text), told)
+        set_accessible_name(widget, without_mnemonic(text), told)
         self.controls.addWidget(above)
         self.controls.addWidget(widget)
 
 
 class Subject(QWidget):
-    """Whose clone is worked on: that of the open visitor, or of another folder.
+    """The edited clone: the open visitor's, or another folder's.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Blobs by the names that people give them, in the window's language."""
+"""Metaballs by their common names, in the window's language."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner_gui.language.words import Spoken, translate
+from cloner_gui.language.words import TranslatedWords, translate
 
-_NAMES: Final = Spoken(
+_NAMES: Final = TranslatedWords(
     "blobs",
     {
         "belly": QT_TRANSLATE_NOOP("blobs", "belly"),
@@ -31,8 +31,8 @@ _NAMES: Final = Spoken(
 )
 
 
-def spoken_blob(name: str) -> str:
-    """Return a blob's name as people say it; one of somebody's own stays as it is."""
+def blob_label(name: str) -> str:
+    """Return a metaball's common name; a user's own name is returned unchanged."""
     sides = {"l_": translate("sides", "%1, left"), "r_": translate("sides", "%1, right")}
     start, base = (name[:2], name[2:]) if name[:2] in sides else ("", name)
     if base not in _NAMES:

@@ -1,4 +1,4 @@
-"""A body's blobs as they are seen and taken hold of."""
+"""Display and picking of a body's metaballs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _RINGS, _SECTORS = 10, 16
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BlobScene(Scene):
-    """A clone's blobs alone, one of them chosen.
+    """A clone's metaballs alone, one of them selected.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class BlobScene(Scene):
 
 
 def blob_meshes(field: Field, rows: Sequence[int]) -> tuple[Array, NDArray[np.int32]]:
-    """Return one mesh (N, 3), (T, 3) of the surfaces of some blobs, each as if it were alone."""
+    """Return one mesh (N, 3), (T, 3) of the surfaces of some metaballs, each by itself."""
     ball, faces = _ball()
     places, triangles = [], []
     for number, row in enumerate(rows):
@@ -98,7 +98,9 @@ def _ball() -> tuple[Array, NDArray[np.int32]]:
 
 
 class BlobPreview(Preview):
-    """A preview that shows the blobs or the skin on them; a drag on the chosen blob moves it, elsewhere it turns."""
+    """A preview of the metaballs or the skin on them; dragging the selected one moves it, dragging
+    elsewhere rotates.
+    """
 
     blob_chosen = Signal(int)
     blob_moved = Signal(int, object)
@@ -165,7 +167,7 @@ class BlobPreview(Preview):
         super().let_go()
 
 
-def moved(blob: Blob, by_m: Array) -> Blob:
-    """Return a blob moved by (3,) metres, both its ends."""
+def move_blob(blob: Blob, by_m: Array) -> Blob:
+    """Return a metaball with both its ends moved by (3,) metres."""
     ends = tuple(tuple(float(value) for value in np.asarray(off) + by_m) for off in blob.off_m)
     return replace(blob, off_m=ends)  # type: ignore[arg-type]  # three each

@@ -1,4 +1,4 @@
-"""A body of blobs: their places and radii are edited, and the skin is laid on them."""
+"""A body of metaballs: their positions and radii are edited, and the skin follows."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from cloner.project.atomic import write_text
 from cloner.records.clones import Clone
 from cloner.statues.blobs import Blob, read_blobs, written_blobs
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.told import told_error
+from cloner_gui.language.told import translated_error
 from cloner_gui.language.words import translate
-from cloner_gui.studio.blob_names import spoken_blob
-from cloner_gui.studio.blob_scene import BlobPreview, moved
+from cloner_gui.studio.blob_names import blob_label
+from cloner_gui.studio.blob_scene import BlobPreview, move_blob
 from cloner_gui.studio.statues import StatueBench
-from cloner_gui.widgets.pieces import button, label, name
+from cloner_gui.widgets.pieces import button, label, set_accessible_name
 
 #: What of a blob's ends may be told here, cm; its file takes more.
 _RADIUS_CM: Final = (0.5, 60.0)
@@ -33,7 +33,7 @@ _LINES: Final = 7
 
 
 class BlobsWindow(StatueBench):
-    """Blobs, and the body on them."""
+    """Metaballs, and the body on them."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(booth, translate("studio", "Body of blobs"), parent, usual=True)
@@ -67,7 +67,7 @@ class BlobsWindow(StatueBench):
             field.setRange(*(_WIDE if unit else _RADIUS_CM if key.startswith("radius") else (-_OFF_CM, _OFF_CM)))
             said = QLabel(text)
             said.setBuddy(field)
-            name(field, text)
+            set_accessible_name(field, text)
             grid.addWidget(said, row, 0)
             grid.addWidget(field, row, 1)
         inside.setLayout(grid)
@@ -113,14 +113,14 @@ class BlobsWindow(StatueBench):
         self.blobs = blobs
         with QSignalBlocker(self.list):
             self.list.clear()
-            self.list.addItems([spoken_blob(blob.name) for blob in blobs])
+            self.list.addItems([blob_label(blob.name) for blob in blobs])
         self.list.setCurrentRow(0)
         self._show_blob()
         self._lay()
 
     def move_blob(self, row: int, by_m: NDArray[np.float64]) -> None:
         """Move a blob by (3,) metres."""
-        self._change(row, moved(self.blobs[row], by_m))
+        self._change(row, move_blob(self.blobs[row], by_m))
         self._show_blob()
 
     def _change(self, row: int, blob: Blob) -> None:
@@ -145,7 +145,7 @@ class BlobsWindow(StatueBench):
         else:
             by = np.zeros(3)
             by[int(place)] = value / 100.0 - blob.off_m[0][int(place)]
-            blob = moved(blob, by)
+            blob = move_blob(blob, by)
         self._change(row, blob)
 
     def _show_blob(self) -> None:
@@ -181,7 +181,7 @@ class BlobsWindow(StatueBench):
             self.preview.update_clone(replace(self._base, vertices_m=made.vertices_m, shells=loose))
 
     def _refuse(self, error: ClonerError) -> None:
-        self.refused.setText(told_error(error))
+        self.refused.setText(translated_error(error))
 
     def _tell_ready(self) -> None:
         ready = self._base is not None and not self.refused.text()

@@ -1,4 +1,4 @@
-"""Bodies from measures: sliders beside the body, which follows them; or a clone that is told new measures."""
+"""Bodies from measures: sliders beside the body, which follows them; or a clone with changed measures."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.told import told_error
+from cloner_gui.language.told import translated_error
 from cloner_gui.language.words import translate
 from cloner_gui.studio.bench import Bench, Subject
 from cloner_gui.studio.measure_row import STATURE, MeasureRow
@@ -31,7 +31,7 @@ _TEXELS: Final = 2048
 
 
 class BodiesWindow(Bench):
-    """A body that a tape tells."""
+    """A body with given measures."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(booth, translate("studio", "Body from measures"), parent)
@@ -172,7 +172,7 @@ class BodiesWindow(Bench):
                 row.follow(made.mm[key] / 10.0)
 
     def _refuse(self, error: ClonerError) -> None:
-        self.refused.setText(told_error(error))
+        self.refused.setText(translated_error(error))
 
     def _tell_ready(self) -> None:
         """Go on with what was told meanwhile, once a job is done."""

@@ -1,4 +1,4 @@
-"""A clone in cloth as it is looked at: one frame while it is simulated, a loop once it is found."""
+"""Display of a clone in cloth: one frame during the simulation, then the loop."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _BETWEEN: Final = 0.04
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DrapedScene(Scene):
-    """A clone and its garment in one instant; what a `Scene` has of motions and photos counts for nothing.
+    """A clone and its garment at one time; motions and photos of a `Scene` do not apply.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ class DrapedPreview(Preview):
 
 
 class PiecesView(QWidget):
-    """A garment's pieces as they are cut, beside one another."""
+    """A garment's pieces as they are cut, side by side."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

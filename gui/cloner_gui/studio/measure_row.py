@@ -1,4 +1,4 @@
-"""One measure of a body: told by a slider or a number, or left to follow from the others."""
+"""One measure of a body: set by a slider or a number, or following from the others."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QSlider, QVBoxLayout, QWidget
 
-from cloner_gui.language.words import Spoken, translate
-from cloner_gui.widgets.pieces import name
+from cloner_gui.language.words import TranslatedWords, translate
+from cloner_gui.widgets.pieces import set_accessible_name
 
 #: What the sliders tell, in the order of the form; the stature and the measures of `cloner.bodies.telling.PRESETS`.
 STATURE: Final = "stature"
-MEASURES: Final = Spoken(
+MEASURES: Final = TranslatedWords(
     "measures",
     {
         STATURE: QT_TRANSLATE_NOOP("measures", "Height without shoes"),
@@ -31,7 +31,7 @@ _STEPS: Final = 10
 
 
 class MeasureRow(QWidget):
-    """A box that says whether the measure is told, a slider and a number."""
+    """A check box whether the measure is set, a slider and a number."""
 
     told = Signal()
 
@@ -44,7 +44,7 @@ class MeasureRow(QWidget):
         self.number.setSuffix(translate("studio", " cm"))
         self.number.setSingleStep(0.5)
         for one in (self.slider, self.number):
-            name(one, MEASURES[key])
+            set_accessible_name(one, MEASURES[key])
         if key == STATURE:
             self.box.setChecked(True)
             self.box.setEnabled(False)

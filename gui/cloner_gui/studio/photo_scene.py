@@ -1,4 +1,4 @@
-"""A clone with a photograph on it while its markers are dragged, and places of its skin that are picked."""
+"""A clone with a photograph on it while its markers are dragged, and picking of points of its skin."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ _REACH_PX = 14.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LaidScene(Scene):
-    """A clone's skin with a photo on all that faces the photo's camera; the rest is bare grey.
+class FittedPhotoScene(Scene):
+    """A clone's skin with a photo on all that faces the photo's camera; the rest is grey.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class LaidScene(Scene):
         """Return the (H, W, 3) picture; ``fine`` smooths its edges."""
         mesh, fit, photo = self.mesh, self.fit, self.photo
         if mesh is None or fit is None or photo is None:
-            return super(LaidScene, self).picture(width_px, height_px, fine=fine)
+            return super(FittedPhotoScene, self).picture(width_px, height_px, fine=fine)
         places = fit.vertices_m
         normals = vertex_normals(places, mesh.triangles)
         towards = fit.camera.position_m - places
@@ -69,8 +69,8 @@ class LaidScene(Scene):
         return np.asarray(cv2.resize(coarse, (width_px, height_px), interpolation=cv2.INTER_LINEAR), np.uint8)
 
 
-class LaidPreview(Preview):
-    """A preview of a clone under a photo; a double click picks a place of its skin."""
+class FittedPhotoPreview(Preview):
+    """A preview of a clone under a photo; a double click picks a point of its skin."""
 
     picked = Signal(int)
     """A vertex of the clone."""
@@ -95,10 +95,10 @@ class LaidPreview(Preview):
         found = super().scene()
         if found is None or self._fit is None:
             return found
-        return LaidScene(found.clone, found.orbit, mesh=self._mesh, fit=self._fit, photo=self._photo)
+        return FittedPhotoScene(found.clone, found.orbit, mesh=self._mesh, fit=self._fit, photo=self._photo)
 
     def _tell_laid(self) -> None:
-        if isinstance(self.shown, LaidScene) and self.shown.fit is self._fit and self._since:
+        if isinstance(self.shown, FittedPhotoScene) and self.shown.fit is self._fit and self._since:
             self.laid.emit(time.monotonic() - self._since)
             self._since = 0.0
 

@@ -1,4 +1,4 @@
-"""A photograph laid on a clone: markers are dragged on the picture, and the clone beside it shows it live."""
+"""A photograph fitted to a clone: markers are dragged on the picture, and the clone beside it follows."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from cloner.records.points import ViewPoints
 from cloner.statues.markers import known_points
 from cloner.statues.photo_fit import FEWEST, Fit, Marked, fit_markers, mark
 from cloner.statues.photographed import mesh_of
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.canvas.photos.view import PhotoView
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.point_names import is_point, spoken
+from cloner_gui.language.point_names import is_point, point_label
 from cloner_gui.language.words import translate
-from cloner_gui.studio.photo_scene import LaidPreview
+from cloner_gui.studio.photo_scene import FittedPhotoPreview
 from cloner_gui.studio.statues import StatueBench
 from cloner_gui.widgets.pieces import button, label
 
@@ -36,7 +36,7 @@ _VERTEX: Final = "vertex_"
 
 
 class MarkerView(PhotoView):
-    """The photo with its markers; Delete and the right button take one away."""
+    """The photo with its markers; Delete and the right button remove one."""
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Offer to take the marker under the hand away."""
@@ -50,12 +50,12 @@ class MarkerView(PhotoView):
 
 
 class PhotographWindow(StatueBench):
-    """A photo, its markers, and the clone that they lay it on."""
+    """A photo, its markers, and the clone it is fitted to."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(booth, translate("studio", "Photograph on a statue"), parent, usual=True)
         self.photo_button, self.paint_button = button(), button()
-        self.view, self.preview, self.told = MarkerView(), LaidPreview(), label("dim")
+        self.view, self.preview, self.told = MarkerView(), FittedPhotoPreview(), label("dim")
         self.drags_s: list[float] = []  # from a hand's move to the picture on the screen
         self._photo: MarkedPhoto | None = None
         self._path: Path | None = None
@@ -169,7 +169,7 @@ class PhotographWindow(StatueBench):
         self._show_markers()
         clone, vertices = self._photo.clone, np.array(_vertices(markers.at), np.int32)
         work = functools.partial(_marked, clone, vertices)
-        newest().ask(self, "mark", work, functools.partial(self._take_marked, markers.at), self.notice.tell)
+        shared_latest().ask(self, "mark", work, functools.partial(self._take_marked, markers.at), self.notice.tell)
 
     def _take_marked(self, at: tuple[int | str, ...], marked: Marked) -> None:
         if at == self._markers.at:
@@ -184,7 +184,7 @@ class PhotographWindow(StatueBench):
         work = functools.partial(
             fit_markers, self._marked, self._markers.px, size, self._photo.focal_px, self._fit
         )  # fmt: skip
-        newest().ask(self, "lay", work, functools.partial(self._take_fit, time.monotonic()), self.notice.tell)
+        shared_latest().ask(self, "lay", work, functools.partial(self._take_fit, time.monotonic()), self.notice.tell)
 
     def _take_fit(self, asked_s: float, fit: Fit) -> None:
         if self._marked is not None and self._photo is not None:
@@ -201,7 +201,7 @@ class PhotographWindow(StatueBench):
     def _tell_marker(self, name: str) -> None:
         """Say which marker is chosen, or what can be done."""
         usual = translate("studio", "Drag the markers. A double click on the clone adds one, Delete takes one away.")
-        self.told.setText((spoken(name) if is_point(name) else usual) if name else usual)
+        self.told.setText((point_label(name) if is_point(name) else usual) if name else usual)
 
     def _choose_next(self, way: int) -> None:
         names = [_called(at) for at in self._markers.at]

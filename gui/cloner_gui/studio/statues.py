@@ -1,4 +1,4 @@
-"""Statues: what their windows share, and a clone cut from stone."""
+"""Statues: what their windows share, and a clone in stone."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.event.booth import Booth
-from cloner_gui.language.words import Spoken, translate
+from cloner_gui.language.words import TranslatedWords, translate
 from cloner_gui.studio.bench import Bench, Subject
 from cloner_gui.widgets.pieces import button
 
-MATERIALS: Final = Spoken(
+MATERIALS: Final = TranslatedWords(
     "materials",
     {
         "stone": QT_TRANSLATE_NOOP("materials", "Stone"),
@@ -26,7 +26,7 @@ MATERIALS: Final = Spoken(
         "marble": QT_TRANSLATE_NOOP("materials", "Marble"),
     },
 )
-POSES: Final = Spoken(
+POSES: Final = TranslatedWords(
     "materials",
     {
         "rest": QT_TRANSLATE_NOOP("materials", "As photographed"),
@@ -41,7 +41,7 @@ _TEXELS: Final = 2048
 
 
 class StatueBench(Bench):
-    """A window of the studio whose result is a statue: whose clone it begins with, material, name, saving."""
+    """A window of the studio that makes a statue: initial clone, material, name, saving."""
 
     def __init__(self, booth: Booth, title: str, parent: QWidget | None = None, *, usual: bool) -> None:
         super().__init__(booth, title, parent)
@@ -105,7 +105,7 @@ class StatueBench(Bench):
 
 
 class StoneWindow(StatueBench):
-    """A clone cut from a material."""
+    """A clone in a material."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(booth, translate("studio", "Clone in stone"), parent, usual=False)

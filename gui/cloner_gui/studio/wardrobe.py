@@ -1,4 +1,4 @@
-"""Garments, fabrics and what a dressed clone is written as, in the window's language."""
+"""Garments, fabrics and output formats of a dressed clone, in the window's language."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner_gui.language.words import Spoken
+from cloner_gui.language.words import TranslatedWords
 
-GARMENTS: Final = Spoken(
+GARMENTS: Final = TranslatedWords(
     "garments",
     {
         "skirt": QT_TRANSLATE_NOOP("garments", "Skirt"),
@@ -22,7 +22,7 @@ GARMENTS: Final = Spoken(
         "trousers": QT_TRANSLATE_NOOP("garments", "Trousers"),
     },
 )
-FABRICS: Final = Spoken(
+FABRICS: Final = TranslatedWords(
     "fabrics",
     {
         "silk": QT_TRANSLATE_NOOP("fabrics", "Silk"),
@@ -34,7 +34,7 @@ FABRICS: Final = Spoken(
     },
 )
 #: What a dressed clone is written as, by file ending; a folder has none.
-TARGETS: Final = Spoken(
+TARGETS: Final = TranslatedWords(
     "garments",
     {
         ".glb": QT_TRANSLATE_NOOP("garments", "GLB: the clone walks in it"),

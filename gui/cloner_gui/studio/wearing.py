@@ -1,4 +1,4 @@
-"""Dressing a clone: a garment is arranged, sewn, hung in a fabric, walked in, and written to a file."""
+"""Dressing a clone: a garment is placed, sewn, settled in a fabric, simulated in a walk, and saved."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QMessageBox, QS
 from cloner.booth.studio.values import Arranged, Draped, Outfit, received
 from cloner.picture import load_clone_at
 from cloner.records.clones import Clone
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.event.booth import Booth
 from cloner_gui.language.words import translate
 from cloner_gui.studio.bench import Bench, Subject
@@ -192,7 +192,7 @@ class WearingWindow(Bench):
         self.written.setText("")
         path = self.subject.path
         if path is not None:
-            newest().ask(
+            shared_latest().ask(
                 self,
                 "clone",
                 functools.partial(load_clone_at, path),

@@ -22,5 +22,5 @@ _WINDOWS: Final[Mapping[str, Callable[..., Bench]]] = {
 
 
 def window_of(which: str) -> Callable[..., Bench]:
-    """Return the maker of a window, which takes the booth and what it lies over."""
+    """Return the constructor of a window, which takes the booth and the parent."""
     return _WINDOWS[which]

@@ -1,1 +1,1 @@
-"""Parts that pages are made of: cards, fields, rows, bars."""
+"""Building blocks of pages: cards, fields, rows, bars."""

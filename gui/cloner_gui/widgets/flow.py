@@ -1,4 +1,4 @@
-"""Rows that break: controls beside each other as far as there is room, the rest below, in every language and size."""
+"""Rows that wrap: controls side by side as far as they fit, the rest below, in every language and size."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from cloner_gui.widgets.pieces import GAP
 
 
 class Flow(QLayout):
-    """Places its items like the words of a text.
+    """Lays out its items like the words of a text.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A height, typed in centimetres or in feet and inches."""
+"""A height in centimetres or in feet and inches."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from cloner.booth.visitors.person_file import cm_from_feet, feet_from_cm
 from cloner.project.folder import DEFAULT_HEIGHT_CM, LARGEST_HEIGHT_CM, SMALLEST_HEIGHT_CM
 from cloner_gui.language.words import translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import name, restyle
+from cloner_gui.widgets.pieces import restyle, set_accessible_name
 
 
 class HeightField(QWidget):
-    """Whether the height is known, and the height; who types one knows it."""
+    """Whether the height is known, and the height; entering one marks it as known."""
 
     changed = Signal()
 
@@ -48,11 +48,11 @@ class HeightField(QWidget):
     def speak(self) -> None:
         """Say everything in the window's language."""
         self.known.setText(translate("visitor", "known"))
-        name(self.known, translate("visitor", "Height is known"))
-        name(self.cm, translate("visitor", "Height in centimetres"))
-        name(self.feet, translate("visitor", "Height, feet"))
-        name(self.inches, translate("visitor", "Height, inches"))
-        name(self.unit, translate("visitor", "Unit of the height"))
+        set_accessible_name(self.known, translate("visitor", "Height is known"))
+        set_accessible_name(self.cm, translate("visitor", "Height in centimetres"))
+        set_accessible_name(self.feet, translate("visitor", "Height, feet"))
+        set_accessible_name(self.inches, translate("visitor", "Height, inches"))
+        set_accessible_name(self.unit, translate("visitor", "Unit of the height"))
 
     def height_cm(self) -> float | None:
         """Return the height, None where it is unknown."""

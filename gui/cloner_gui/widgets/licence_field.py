@@ -1,4 +1,4 @@
-"""Who may use a visitor's files: asked at the consent in the visitor's language, and set as the event's most."""
+"""Who may use a visitor's files: chosen at the consent in the visitor's language, up to the event's widest licence."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cloner_gui.widgets.pieces import GAP, label
 
 
 class LicenceField(QWidget):
-    """A choice of licences with a sentence that says what the chosen one means."""
+    """A choice of licences with a sentence on the chosen one."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

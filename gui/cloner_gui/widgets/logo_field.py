@@ -1,4 +1,4 @@
-"""The event's own picture: chosen from the disk, seen small, taken away again."""
+"""The event's own picture: chosen from the disk, shown small, removed again."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QWidget
 
 from cloner_gui.language.words import translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import button, name
+from cloner_gui.widgets.pieces import button, set_accessible_name
 
 _SEEN_PX: Final = 48
 
 
 class LogoField(QWidget):
-    """A picture's file, or none; a file that is no picture is not taken.
+    """A picture's file, or none; files that are no pictures are refused.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class LogoField(QWidget):
         self.choose_button, self.none_button = button(), button()
         self.choose_button.setText(translate("settings", "Choose a &picture…"))
         self.none_button.setText(translate("settings", "No pictu&re"))
-        name(self.seen, translate("settings", "Logo of the event"))
+        set_accessible_name(self.seen, translate("settings", "Logo of the event"))
         row = Flow(self)
         for one in (self.seen, self.choose_button, self.none_button):
             row.addWidget(one)

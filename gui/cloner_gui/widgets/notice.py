@@ -1,4 +1,4 @@
-"""The quiet bar: what went wrong and what to do, over the page's lower edge, so that nothing moves below a hand."""
+"""Messages at the page's lower edge: what went wrong and what to do, without moving the layout."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from cloner.errors import ClonerError
-from cloner_gui.language.told import told_error
+from cloner_gui.language.told import translated_error
 from cloner_gui.language.words import translate
-from cloner_gui.widgets.pieces import name, restyle
+from cloner_gui.widgets.pieces import restyle, set_accessible_name
 
 #: How long good news is shown, milliseconds; what went wrong stays until somebody closes it or the visitor goes.
 NEWS_MS = 8000
@@ -53,7 +53,7 @@ class Notice(QFrame):
 
     def tell(self, error: ClonerError) -> None:
         """Show what is wrong and what to do."""
-        self._add(told_error(error), "notice")
+        self._add(translated_error(error), "notice")
 
     def say(self, text: str) -> None:
         """Show what is good to know, for a while."""
@@ -92,8 +92,8 @@ class Notice(QFrame):
         self.count.setText(translate("window", "{n} more").format(n=more) if more else "")
         self.count.setVisible(more > 0)
         restyle(self, kind)
-        name(self.close_button, translate("window", "Close the message"))
-        name(self, text)
+        set_accessible_name(self.close_button, translate("window", "Close the message"))
+        set_accessible_name(self, text)
         if kind == "news":
             self._news.start()
         self._place()

@@ -1,4 +1,4 @@
-"""Small things that pages are made of: cards, labels, buttons that a screen reader can name."""
+"""Small building blocks: cards, labels, buttons with accessible names."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LINE_PX = 17  # height of a line of text of the usual size
 
 
 class Card(QFrame):
-    """A light sheet with things below each other; ``column`` takes them."""
+    """A light sheet with a column of content."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -58,8 +58,8 @@ class Scrolled(QScrollArea):
                 inside.setMinimumHeight(high)
 
 
-def scrolled(page: QWidget, inside: QWidget) -> QScrollArea:
-    """Let a page's content scroll up and down where the screen is low or the text large."""
+def make_scrollable(page: QWidget, inside: QWidget) -> QScrollArea:
+    """Make a page's content scroll vertically if the screen is low or the text large."""
     room = Scrolled()
     room.setWidget(inside)
     room.setWidgetResizable(True)
@@ -72,7 +72,7 @@ def scrolled(page: QWidget, inside: QWidget) -> QScrollArea:
 
 
 def label(kind: str = "", *, wraps: bool = True) -> QLabel:
-    """Return a label that may break its text; ``kind`` names its look: title, heading, dim, warn or good."""
+    """Return a label that may wrap; ``kind`` selects its style: title, heading, dim, warn or good."""
     made = QLabel()
     made.setObjectName(kind)
     made.setWordWrap(wraps)
@@ -80,8 +80,8 @@ def label(kind: str = "", *, wraps: bool = True) -> QLabel:
     return made
 
 
-def beside(box: QCheckBox, words: QLabel) -> QHBoxLayout:
-    """Return a box with its words beside it, which may break; a click on the words is one on the box."""
+def box_with_label(box: QCheckBox, words: QLabel) -> QHBoxLayout:
+    """Return a check box with a label that may wrap; a click on the label toggles the box."""
 
     def click(event: QMouseEvent) -> None:
         if box.isEnabled():
@@ -97,15 +97,15 @@ def beside(box: QCheckBox, words: QLabel) -> QHBoxLayout:
 
 
 def button(kind: str = "") -> QPushButton:
-    """Return a button; ``kind`` is "main" for the one thing to do next, "danger" for what cannot be undone."""
+    """Return a button; ``kind`` is "main" for the next thing to do, "danger" for what cannot be undone."""
     made = QPushButton()
     made.setObjectName(kind)
     made.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
     return made
 
 
-def roomy(window: QWidget, width: int, height: int) -> None:
-    """Give a window a size that grows with its letters, as far as the screen goes.
+def set_window_size(window: QWidget, width: int, height: int) -> None:
+    """Give a window a size that grows with its font, within the screen.
 
     Parameters
     ----------
@@ -119,13 +119,13 @@ def roomy(window: QWidget, width: int, height: int) -> None:
 
 
 def show_whole_columns(table: QTableWidget) -> None:
-    """Make every column as wide as its heading and its longest cell; it scrolls where there is no room for all."""
+    """Make every column as wide as its heading and its longest cell; the table scrolls if needed."""
     table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
     table.setHorizontalScrollMode(QTableWidget.ScrollMode.ScrollPerPixel)
 
 
-def name(widget: QWidget, text: str, told: str = "") -> None:
-    """Give a control the name, and if need be the description, that a screen reader says."""
+def set_accessible_name(widget: QWidget, text: str, told: str = "") -> None:
+    """Give a control a name, and optionally a description, for screen readers."""
     widget.setAccessibleName(text)
     if told:
         widget.setAccessibleDescription(told)
@@ -133,7 +133,7 @@ def name(widget: QWidget, text: str, told: str = "") -> None:
 
 
 def restyle(widget: QWidget, kind: str) -> None:
-    """Give a widget another look of the style sheet."""
+    """Give a widget another style of the style sheet."""
     if widget.objectName() != kind:
         widget.setObjectName(kind)
         widget.style().unpolish(widget)

@@ -1,4 +1,4 @@
-"""The card a visitor takes home on paper: the clone's picture, a name, and a code to scan; drawn in millimetres."""
+"""The card that a visitor takes home on paper: the clone's picture, a name, and a QR code; drawn in millimetres."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _INK, _DIM = QColor(28, 36, 48), QColor(90, 100, 114)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CardContent:
-    """What stands on a card.
+    """The content of a card.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ class CardContent:
 
 
 def picture_room() -> QRectF:
-    """Return where the picture lies on the card, mm."""
+    """Return the picture's rectangle on the card, mm."""
     width, height = CARD_MM
     below = _EDGE_MM + _CODE_MM + _EDGE_MM / 2.0
     top = _EDGE_MM + 1.6 * _TITLE_MM
@@ -58,7 +58,7 @@ def picture_room() -> QRectF:
 
 
 def paint_card(painter: QPainter, room: QRectF, content: CardContent) -> None:
-    """Draw a card into a rectangle of the painter's, as large as it fits."""
+    """Draw a card into a rectangle, as large as it fits."""
     scale = min(room.width() / CARD_MM[0], room.height() / CARD_MM[1])
 
     def at(place: QRectF) -> QRectF:
@@ -133,7 +133,7 @@ def card_image(content: CardContent, dots_per_inch: int = DOTS_PER_INCH) -> QIma
 
 
 def save_card(content: CardContent, path: Path) -> None:
-    """Write the card as a PDF page of its own size, or as a PNG picture; the file's ending tells which.
+    """Write the card as a PDF page of its own size, or as a PNG picture, by the file's suffix.
 
     Raises
     ------
@@ -157,7 +157,7 @@ def save_card(content: CardContent, path: Path) -> None:
 
 
 def paint_true_size(painter: QPainter, page: QRectF, dots_per_inch: float, content: CardContent) -> None:
-    """Draw the card on a printer's page: as large as it is, or as the paper allows, in its middle."""
+    """Draw the card centred on a printer's page, at true size or as large as the paper allows."""
     wide, high = (side / MM_PER_INCH * dots_per_inch for side in CARD_MM)
     share = min(page.width() / wide, page.height() / high, 1.0)
     room = QRectF(0.0, 0.0, share * wide, share * high)

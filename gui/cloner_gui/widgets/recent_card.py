@@ -1,4 +1,4 @@
-"""The events that were open last, a button each: seen while none is open."""
+"""The recently opened events, one button each: shown while none is open."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from cloner.booth.events.event import read_event
 from cloner.booth.events.recent import note_recent, recent_events
 from cloner.errors import ClonerError
 from cloner_gui.language.words import translate
-from cloner_gui.widgets.letters import literal
-from cloner_gui.widgets.pieces import Card, button, label, name
+from cloner_gui.widgets.letters import escape_mnemonic
+from cloner_gui.widgets.pieces import Card, button, label, set_accessible_name
 
 
 class RecentCard(Card):
-    """Opens one of the last events."""
+    """Opens a recent event."""
 
     chosen = Signal(object)
 
@@ -50,8 +50,8 @@ class RecentCard(Card):
         self._buttons = []
         for folder in folders:
             one = button()
-            one.setText(literal(_title(folder)))
-            name(one, _title(folder), str(folder))
+            one.setText(escape_mnemonic(_title(folder)))
+            set_accessible_name(one, _title(folder), str(folder))
             one.clicked.connect(functools.partial(self.chosen.emit, folder))
             self.column.addWidget(one)
             self._buttons.append(one)

@@ -1,4 +1,4 @@
-"""The five steps, always on top: where you are, what lies behind, what cannot come yet."""
+"""The five steps, always on top: the present one, completed ones, and those not yet possible."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QButtonGroup, QPushButton, QWidget
 
 from cloner_gui.language.words import translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import name
+from cloner_gui.widgets.pieces import set_accessible_name
 
 
 class StepBar(QWidget):
-    """One button a step."""
+    """One button per step."""
 
     chosen = Signal(int)
 
@@ -38,11 +38,11 @@ class StepBar(QWidget):
             one.setChecked(number == current)
             one.setEnabled(number <= reachable or number == current)
             step = translate("window", "Step {n}: {title}").format(n=number + 1, title=title)
-            name(one, step)
+            set_accessible_name(one, step)
 
 
 def step_titles() -> tuple[str, ...]:
-    """Return what the steps are called."""
+    """Return the steps' titles."""
     return (
         translate("visitor", "Visitor"),
         translate("photos", "Photos"),

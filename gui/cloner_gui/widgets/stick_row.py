@@ -1,4 +1,4 @@
-"""The stick that is plugged in: found by itself, written with one click, let go with another."""
+"""The plugged-in USB stick: detected automatically, written with one click, ejected with another."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
 from cloner.booth.handover.sticks import Stick, eject, mounted_sticks
 from cloner.errors import ClonerError
-from cloner_gui.background.newest import newest
+from cloner_gui.background.newest import shared_latest
 from cloner_gui.background.worker import Task
 from cloner_gui.language.words import translate
-from cloner_gui.widgets.letters import literal
-from cloner_gui.widgets.pieces import GAP, button, label, name
+from cloner_gui.widgets.letters import escape_mnemonic
+from cloner_gui.widgets.pieces import GAP, button, label, set_accessible_name
 
 #: Where Linux tells what is mounted; read again and again, it costs nothing. Only when it changes a program is asked.
 MOUNTS: Final = Path("/proc/self/mountinfo")
@@ -23,7 +23,7 @@ _LOOK_MS: Final = 1500
 
 
 class StickRow(QWidget):
-    """One stick's buttons, and a choice where there are several."""
+    """One stick's buttons, and a choice between several."""
 
     copy_wanted = Signal(object)
     failed = Signal(object)
@@ -75,7 +75,7 @@ class StickRow(QWidget):
             return
         if now != self._known:
             self._known = now
-            newest().ask(self, "sticks", mounted_sticks, self._take, self._give_up)
+            shared_latest().ask(self, "sticks", mounted_sticks, self._take, self._give_up)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Look while it is seen."""
@@ -96,7 +96,7 @@ class StickRow(QWidget):
     def speak(self) -> None:
         """Say everything in the window's language."""
         self._said = ""
-        name(self.choice, translate("stick", "Which stick"))
+        set_accessible_name(self.choice, translate("stick", "Which stick"))
         self._show()
 
     def _take(self, sticks: tuple[Stick, ...]) -> None:
@@ -130,8 +130,8 @@ class StickRow(QWidget):
         self.eject_button.setEnabled(not self.busy and stick is not None)
         waits = translate("stick", "No stick is plugged in: it is found by itself.")
         if stick is not None:
-            self.copy_button.setText(translate("stick", "&Copy to {stick}").format(stick=literal(stick.label)))
-            self.eject_button.setText(translate("stick", "E&ject {stick}").format(stick=literal(stick.label)))
+            self.copy_button.setText(translate("stick", "&Copy to {stick}").format(stick=escape_mnemonic(stick.label)))
+            self.eject_button.setText(translate("stick", "E&ject {stick}").format(stick=escape_mnemonic(stick.label)))
             free_gb = f"{stick.free_bytes / 1e9:.1f}"
             waits = translate("stick", "{n} GB are free.").format(n=free_gb)
             if stick.read_only:

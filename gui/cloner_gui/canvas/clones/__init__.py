@@ -1,1 +1,1 @@
-"""The clone in three dimensions: turned, zoomed, dressed, greeting."""
+"""The clone in 3-D: rotated, zoomed, dressed, waving."""

@@ -1,4 +1,4 @@
-"""A clone as it is shown: posed, with a face, and dressed for one way of looking at it."""
+"""A clone for display: posed, with a facial expression, and in one display mode."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ _HELLO: Final = tuple(
 )
 
 
-def motion_of(kind: str, clone: Clone) -> Motion | None:
-    """Return what a clone does, one of `MOTIONS`; None for standing at rest.
+def find_motion(kind: str, clone: Clone) -> Motion | None:
+    """Return a clone's motion of one of `MOTIONS`; None for standing still.
 
     Raises
     ------
@@ -69,22 +69,22 @@ def _with_face(clone: Clone, weights: Mapping[str, float], envelope: Envelope, s
     return replace(standing, weights=shown)
 
 
-def seconds_of(motion: Motion) -> float:
-    """Return how long a motion takes until it begins again."""
+def motion_seconds(motion: Motion) -> float:
+    """Return a motion's duration."""
     return float(motion.times_s[-1])
 
 
-def acted(clone: Clone, motion: Motion | None, seconds: float) -> tuple[Clone, Array | None, Array]:
-    """Return the clone with the face of one instant, its joints' rotations (94, 3), and where its root went, (3,) m."""
+def pose_at(clone: Clone, motion: Motion | None, seconds: float) -> tuple[Clone, Array | None, Array]:
+    """Return the clone with the face at a time, its joints' rotations (94, 3), and its root's position, (3,) m."""
     if motion is None:
         return clone, None, np.zeros(3)
-    frame = int(np.searchsorted(motion.times_s, seconds % seconds_of(motion)))
+    frame = int(np.searchsorted(motion.times_s, seconds % motion_seconds(motion)))
     weights = {name: float(values[frame]) for name, values in motion.weights.items()}
     return with_face(clone, weights), motion.rotations[frame], motion.root_m[frame]
 
 
 def with_face(clone: Clone, weights: Mapping[str, float]) -> Clone:
-    """Return the clone with morph targets at these weights; targets it has not are left out."""
+    """Return the clone with weighted morph targets; unknown targets are ignored."""
     vertices = clone.vertices_m.copy()
     for number, name in enumerate(clone.morph_names):
         weight = weights.get(name, 0.0)
@@ -99,7 +99,7 @@ def with_face(clone: Clone, weights: Mapping[str, float]) -> Clone:
     return replace(clone, vertices_m=vertices, shells=shells)
 
 
-def dressed(clone: Clone, rotations: Array | None, mode: str, gaps_mm: Array | None) -> list[Layer]:
+def display_meshes(clone: Clone, rotations: Array | None, mode: str, gaps_mm: Array | None) -> list[Layer]:
     """Return a posed clone's meshes for one of `MODES`.
 
     Parameters

@@ -1,4 +1,4 @@
-"""The attract loop: sample people turn on the visitors' screen until a visitor may be seen there.
+"""The attract loop: sample people turn on the visitors' screen until a visitor may be shown there.
 
 Shipped pictures, a sheet a person, one of which is read when it is first shown: no clone is loaded, nothing is drawn
 in three dimensions. The people are synthetic (``gui/build_attract.py``).
@@ -24,7 +24,7 @@ _STILL_MS: Final = 8000  # where nothing moves by itself the next comes so late,
 _BACKGROUND: Final = QColor(226, 228, 232)
 
 
-class Attract(QWidget):
+class AttractLoop(QWidget):
     """Turns one sample person after another; with ``calm`` each stands still."""
 
     def __init__(self, parent: QWidget | None = None) -> None:

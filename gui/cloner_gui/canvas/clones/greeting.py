@@ -1,4 +1,4 @@
-"""The clone as the card shows it: it waves and smiles."""
+"""The clone on the printed card: it waves and smiles."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from PySide6.QtGui import QImage
 from cloner.motion.face.expressions import EXPRESSIONS
 from cloner.motion.moves.wave import UP_S
 from cloner.records.clones import Clone
-from cloner_gui.canvas.clones.acting import motion_of, with_face
+from cloner_gui.canvas.clones.acting import find_motion, with_face
 from cloner_gui.canvas.clones.orbit import Orbit
 from cloner_gui.canvas.clones.scene import Scene
 
@@ -19,9 +19,9 @@ _SMILE: Final = 0.8  # of the whole smile: friendly, no grin
 _ZOOM, _BELOW = 1.5, 0.25
 
 
-def greeting(clone: Clone, width_px: int, height_px: int) -> QImage:
-    """Return the picture; may be called on any thread."""
-    motion = motion_of("wave", clone)
+def greeting_picture(clone: Clone, width_px: int, height_px: int) -> QImage:
+    """Return the picture; thread-safe."""
+    motion = find_motion("wave", clone)
     still = None if motion is None else replace(motion, weights={})
     smiles = {name: _SMILE * weight for name, weight in EXPRESSIONS["joy"].items()}
     near = Orbit("front").zoomed(_ZOOM).moved(0.0, _BELOW)

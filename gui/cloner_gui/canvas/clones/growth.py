@@ -1,4 +1,4 @@
-"""The body as it is cloned: from one stage's shape it grows into the next one's."""
+"""The body during cloning: animated from one stage's shape to the next one's."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _FRAME_MS: Final = 75
 
 
 class Growth(QObject):
-    """Moves a plain body from shape to shape."""
+    """Animates a plain body from shape to shape."""
 
     shown = Signal(object)
     """A Clone, body alone, to be drawn."""

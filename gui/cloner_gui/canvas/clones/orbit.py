@@ -1,4 +1,4 @@
-"""From where a clone is looked at: around it, nearer or farther, or exactly as a photo saw the person."""
+"""The camera on a clone: orbiting, zooming, or exactly a photo's camera."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _ASIDE_MOST: Final = 1.5  # pictures' heights that a clone can be moved aside
 
 @dataclass(frozen=True, slots=True)
 class Orbit:
-    """A place to look from.
+    """A camera position.
 
     Attributes
     ----------
@@ -73,8 +73,8 @@ class Orbit:
         return replace(first, camera_from_model=_shift(beside) @ seen, focal_px=focal)
 
 
-def framing_of(clone: Clone | None, view: ViewId) -> str:
-    """Return the standard camera that sees a clone from where a photo saw the person."""
+def photo_view_camera(clone: Clone | None, view: ViewId) -> str:
+    """Return the standard camera that sees a clone from a photo's direction."""
     side = "front"
     if clone is not None and view in clone.views:
         x, _, z = clone.views[view].camera.position_m
@@ -83,7 +83,7 @@ def framing_of(clone: Clone | None, view: ViewId) -> str:
 
 
 def photo_camera(camera: Camera, photo: Image, width_px: int, height_px: int) -> tuple[Camera, Image]:
-    """Return a photo's camera for a smaller picture, and that picture (h, w, 3) with the photo in its middle.
+    """Return a photo's camera for a smaller picture, and that picture (h, w, 3) with the photo centred.
 
     Parameters
     ----------

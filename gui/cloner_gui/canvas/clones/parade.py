@@ -1,4 +1,4 @@
-"""The day's crowd on the visitors' screen: everybody who may be seen walks by, at their own height and pace.
+"""The day's crowd on the visitors' screen: everybody who agreed walks by, at their own height and pace.
 
 What is shown are pictures of each visitor's walk (`cloner.booth.walk_pictures`), read in a thread of their own: drawing
 them takes a second per person, once, and nothing is rendered in 3-D while the crowd is shown.
@@ -51,13 +51,15 @@ class Walker:
 
 
 def read_walkers(files: Mapping[Path, Path]) -> dict[Path, QImage]:
-    """Return the pictures of visitors' walks by visitor; without those that went meanwhile. For another thread."""
+    """Return the pictures of visitors' walks by visitor, without those that were removed meanwhile.
+    For another thread.
+    """
     images = {visitor: QImage(str(file)) for visitor, file in files.items()}
     return {visitor: image for visitor, image in images.items() if not image.isNull()}
 
 
 class Parade(QWidget):
-    """Lets visitors walk by; with ``calm`` they stand."""
+    """Shows visitors walking by; with ``calm`` they stand."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""The clone in three dimensions: turned, zoomed, dressed in several ways, laid over a photo, and moving."""
+"""The clone in 3-D: rotated, zoomed, in several display modes, over a photo, and moving."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-from cloner_gui.background.newest import newest
-from cloner_gui.canvas.clones.acting import MODES, MOTIONS, OUTLINE, motion_of
+from cloner_gui.background.newest import shared_latest
+from cloner_gui.canvas.clones.acting import MODES, MOTIONS, OUTLINE, find_motion
 from cloner_gui.canvas.clones.orbit import Orbit
 from cloner_gui.canvas.clones.scene import Scene
 from cloner_gui.canvas.photos.touch import TouchHand
@@ -34,7 +34,8 @@ _LEAST_PX: Final = 160  # width without a picture
 
 
 class Preview(QLabel):
-    """Shows a clone. Drag turns it, with Shift or the right button moves it; the wheel zooms, a double click resets.
+    """Shows a clone. Dragging rotates it, with Shift or the right button moves it; the wheel zooms, a double click
+    resets.
 
     Arrow keys turn, + and - zoom, Home resets; one finger turns, two zoom and move.
     """
@@ -159,9 +160,11 @@ class Preview(QLabel):
         self.motion_kind = kind
         self._motion = None
         self._film.stop()
-        newest().drop(self, "motion")
+        shared_latest().drop(self, "motion")
         if kind != MOTIONS[0] and self._clone is not None:
-            newest().ask(self, "motion", functools.partial(motion_of, kind, self._clone), self._act, self.failed.emit)
+            shared_latest().ask(
+                self, "motion", functools.partial(find_motion, kind, self._clone), self._act, self.failed.emit
+            )
         self.refresh()
 
     def _act(self, motion: Motion) -> None:
@@ -204,7 +207,9 @@ class Preview(QLabel):
         density = self.devicePixelRatioF()
         width, height = (max(round(side * density), 64) for side in (self.width(), self.height()))
         work = functools.partial(scene.image, width, height, fine=fine)
-        newest().ask(self, "picture", work, functools.partial(self._take_picture, self._person, scene), self._give_up)
+        shared_latest().ask(
+            self, "picture", work, functools.partial(self._take_picture, self._person, scene), self._give_up
+        )
 
     def _take_picture(self, person: int, scene: Scene, picture: QImage) -> None:
         if self._clone is None or person != self._person:

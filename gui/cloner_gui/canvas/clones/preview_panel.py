@@ -1,4 +1,4 @@
-"""The clone with everything it can be seen doing: how it is dressed, over which photo, and in which motion."""
+"""The clone with all display options: mode, photo below it, and motion."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from cloner_gui.canvas.clones.acting import GAP_COLOURS, GAP_SHOWN_MM, MODES, MO
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.language.words import VIEW_TITLES, translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.letters import unmarked
-from cloner_gui.widgets.pieces import button, name
+from cloner_gui.widgets.letters import without_mnemonic
+from cloner_gui.widgets.pieces import button, set_accessible_name
 
 
 class PreviewPanel(QWidget):
@@ -127,7 +127,7 @@ class PreviewPanel(QWidget):
         )
         for widget, text in says:
             self._labels[widget].setText(text)
-            name(widget, unmarked(text))
+            set_accessible_name(widget, without_mnemonic(text))
         self.body_button.setText(translate("preview", "Whole pe&rson"))
         self.face_button.setText(translate("preview", "&Face"))
         self.scale.setText(_scale_text())

@@ -1,4 +1,4 @@
-"""The reveal: as soon as it is finished the clone turns, walks, waves and smiles by itself, then stands again."""
+"""The reveal: a finished clone turns, walks, waves and smiles by itself, then stands again."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cloner_gui.canvas.clones.preview import Preview
 
 @dataclass(frozen=True, slots=True)
 class Act:
-    """One thing the clone does: a motion of `cloner_gui.canvas.clones.acting.MOTIONS`, seen from where, how long."""
+    """One part of the reveal: a motion of `cloner_gui.canvas.clones.acting.MOTIONS`, the camera, and the duration."""
 
     motion: str
     framing: str
@@ -30,7 +30,7 @@ ACTS: Final = (
 
 
 class Reveal(QObject):
-    """Leads a preview through the acts, once or round and round.
+    """Plays the acts in a preview, once or repeatedly.
 
     Parameters
     ----------

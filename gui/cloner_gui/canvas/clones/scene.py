@@ -1,4 +1,4 @@
-"""Everything a picture of the clone depends on, as one value that another thread can draw."""
+"""Everything that determines a picture of the clone, as one value that another thread can draw."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.render import Shading, coverage, draw
-from cloner_gui.canvas.clones.acting import OUTLINE, acted, dressed
+from cloner_gui.canvas.clones.acting import OUTLINE, display_meshes, pose_at
 from cloner_gui.canvas.clones.orbit import Orbit, photo_camera
-from cloner_gui.canvas.photos.painting import image_of
+from cloner_gui.canvas.photos.painting import to_qimage
 
 Image = NDArray[np.uint8]
 
@@ -30,7 +30,7 @@ _SHADINGS: Final[dict[str, Shading]] = {"wire": "wire"}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Scene:
-    """A clone as it is looked at in one instant.
+    """A clone as shown at one time.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Scene:
 
     def image(self, width_px: int, height_px: int, *, fine: bool) -> QImage:
         """Return the picture as the window shows it."""
-        return image_of(self.picture(width_px, height_px, fine=fine))
+        return to_qimage(self.picture(width_px, height_px, fine=fine))
 
     def picture(self, width_px: int, height_px: int, *, fine: bool) -> Image:
         """Return the (H, W, 3) picture; ``fine`` smooths its edges.
@@ -74,8 +74,8 @@ class Scene:
         samples = 2 if fine else 1
         if self.overlay is not None and self.overlay[0] in self.clone.views:
             return self._over_photo(self.overlay[0], self.overlay[1], (width_px, height_px), samples)
-        posed, rotations, root_m = acted(self.clone, self.motion, self.seconds)
-        layers = dressed(posed, rotations, self.mode, self.gaps_mm)
+        posed, rotations, root_m = pose_at(self.clone, self.motion, self.seconds)
+        layers = display_meshes(posed, rotations, self.mode, self.gaps_mm)
         camera = self.orbit.camera(self.clone, width_px, height_px, root_m)
         if self.mode == OUTLINE:
             return _outlined(coverage(layers, camera, supersample=2))
@@ -84,7 +84,7 @@ class Scene:
 
     def _over_photo(self, view: ViewId, photo: Image, size_px: tuple[int, int], samples: int) -> Image:
         seen = self.clone.views[view]
-        layers = dressed(self.clone, seen.rotations, self.mode, self.gaps_mm)
+        layers = display_meshes(self.clone, seen.rotations, self.mode, self.gaps_mm)
         camera, below = photo_camera(seen.camera, photo, *size_px)
         drawn = draw(layers, camera, shading=_SHADINGS.get(self.mode, "photo"), supersample=samples)
         share = self.opacity * coverage(layers, camera, supersample=samples)[..., None]

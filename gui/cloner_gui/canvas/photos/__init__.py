@@ -1,1 +1,1 @@
-"""A photo with its points and outlines, and the hand that moves them."""
+"""A photo with its points and outlines, and their editing."""

@@ -1,4 +1,4 @@
-"""All photos beside each other, small, with their points: one is chosen to be seen large."""
+"""All photos as thumbnails with their points; one is selected for the large view."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QSizePolicy, QVBoxL
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints
 from cloner_gui.canvas.photos.lens import Lens
-from cloner_gui.canvas.photos.painting import UNSURE_BELOW, ScaledPhoto, pixmap_of, point_colour
+from cloner_gui.canvas.photos.painting import UNSURE_BELOW, ScaledPhoto, point_colour, to_pixmap
 
 _DOT: Final = 2.0  # radius of a point, widget pixels
 _MARGIN: Final = 4
 
 
 class SmallPhoto(QAbstractButton):
-    """One small photo; pressed, it is seen large.
+    """One thumbnail; a click selects it.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class SmallPhoto(QAbstractButton):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._height_px = height_px
-        self._pixmap = pixmap_of(rgb)
+        self._pixmap = to_pixmap(rgb)
         self._scaled = ScaledPhoto()
         self._points: ViewPoints | None = None
         self.call(title)
@@ -109,7 +109,7 @@ class SmallPhoto(QAbstractButton):
 
 
 class Filmstrip(QWidget):
-    """The small photos of one visitor."""
+    """The thumbnails of one visitor."""
 
     chosen = Signal(object)
     """The ViewId that is to be seen large."""

@@ -1,4 +1,4 @@
-"""What a point is and how to place it, in plain words."""
+"""Explanations of points and their placement, in plain words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from cloner.booth.visitors.uncertain import uncertain_points
 from cloner.frames import ViewId
 from cloner.records.points import ANCHOR, ViewPoints
 from cloner_gui.canvas.photos.painting import CLONE, CORRECTED, LINKED, SURE, UNSURE
-from cloner_gui.language.point_names import spoken
+from cloner_gui.language.point_names import point_label
 from cloner_gui.language.words import translate
 
 Place = tuple[ViewId, str]
@@ -65,26 +65,26 @@ _HINTS: Final[dict[str, object]] = {
 }
 
 
-def hint(name: str) -> str:
-    """Return one sentence on what a point is, "" when there is nothing to say."""
+def point_hint(name: str) -> str:
+    """Return one sentence on what a point is, "" if there is nothing to say."""
     key = "joint" if name.startswith(("l_", "r_")) else name
     found = max((start for start in _HINTS if key.startswith(start)), key=len, default="")
     return translate("hints", str(_HINTS[found])) if found else ""
 
 
-def told_point(points: ViewPoints | None, chosen: str) -> str:
-    """Return rich text that says which point this is, how sure it is, and how to place it."""
+def point_text(points: ViewPoints | None, chosen: str) -> str:
+    """Return rich text on a point: what it is, how certain, and how to place it."""
     if not chosen or points is None or chosen not in points.names:
         return translate("hints", "Drag a point to its place, or press Tab: the least sure point comes first.")
     row = points.names.index(chosen)
     sure = translate("hints", "%1 % sure").replace("%1", str(round(100 * float(points.confidence[row]))))
     state = translate("hints", "placed by you") if points.corrected[row] else sure
-    head = translate("hints", "outline point") if chosen.startswith(ANCHOR) else spoken(chosen)
-    return f"<b>{head}</b> · {state}<br>{hint(chosen)}"
+    head = translate("hints", "outline point") if chosen.startswith(ANCHOR) else point_label(chosen)
+    return f"<b>{head}</b> · {state}<br>{point_hint(chosen)}"
 
 
-def told_rest(order: Sequence[Place], points: Mapping[ViewId, ViewPoints], now: Place) -> str:
-    """Return how many doubtful points come after one in an order, and when the last of them was seen."""
+def remaining_text(order: Sequence[Place], points: Mapping[ViewId, ViewPoints], now: Place) -> str:
+    """Return the number of uncertain points after the present one in an order, and whether the last one was seen."""
     left = {(view, name) for view, names in uncertain_points(points).items() for name in names}
     coming = sum(one in left for one in order[order.index(now) + 1 :])
     if now in left or coming:
@@ -92,8 +92,8 @@ def told_rest(order: Sequence[Place], points: Mapping[ViewId, ViewPoints], now: 
     return translate("points", "All doubtful points are seen: this one is sure. Press Clone.")
 
 
-def legend() -> str:
-    """Return rich text that says what the colours of points and outlines mean."""
+def legend_text() -> str:
+    """Return rich text on the colours of points and outlines."""
     marks = (
         ("○", SURE, translate("hints", "sure")),
         ("△", UNSURE, translate("hints", "doubtful")),

@@ -1,4 +1,4 @@
-"""What keys do on a photo."""
+"""Keyboard handling on a photo."""
 
 from __future__ import annotations
 
@@ -24,7 +24,9 @@ _ZOOM: Final = {Qt.Key.Key_Plus: ZOOM_STEP, Qt.Key.Key_Equal: ZOOM_STEP, Qt.Key.
 
 
 def press_tab(view: PhotoView, event: QKeyEvent) -> bool:
-    """Ask for the next point, with Shift for the one before; Control and Tab leave the photo. Return if it was that."""
+    """Select the next point, with Shift the previous one; Control and Tab leave the photo. Return whether the key was
+    handled.
+    """
     step = {Qt.Key.Key_Tab: 1, Qt.Key.Key_Backtab: -1}.get(Qt.Key(event.key()))
     if step is None or view.points is None or event.modifiers() & Qt.KeyboardModifier.ControlModifier:
         return False
@@ -33,7 +35,7 @@ def press_tab(view: PhotoView, event: QKeyEvent) -> bool:
 
 
 def press(view: PhotoView, event: QKeyEvent) -> bool:
-    """Move the chosen point or the photo, zoom, add and remove; return whether the key means something."""
+    """Move the selected point or the photo, zoom, add and remove; return whether the key was handled."""
     key = Qt.Key(event.key())
     if key in _STEPS:
         x, y = _STEPS[key]

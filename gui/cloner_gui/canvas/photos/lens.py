@@ -1,4 +1,4 @@
-"""Which part of a photo a widget shows, and how large; the only home of the half pixel."""
+"""Scale and position of a photo in a widget; the only module that knows the half pixel."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ZOOM_MOST: Final = 16.0
 
 
 class Lens:
-    """Scale and place of a photo inside a widget; ``fitted`` while all of it is shown.
+    """Scale and position of a photo inside a widget; ``fitted`` while all of it is shown.
 
     Parameters
     ----------

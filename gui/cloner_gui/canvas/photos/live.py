@@ -1,4 +1,4 @@
-"""The photos' own outlines while points move: made ready on a thread of its own, linked again at every move."""
+"""Outlines while points move: prepared in a thread of their own, linked again at every move."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Outlines = dict[ViewId, LiveOutline]
 def ready_outlines(
     folder: Path, photos: PhotoSet, proposed: Mapping[ViewId, ViewPoints], progress: Callable[[str, float], None]
 ) -> Outlines:
-    """Return the outlines of a visitor's body photos, ready to follow; none before nets have seen them."""
+    """Return the outlines of a visitor's body photos, prepared for moves; none before the nets have run."""
     proposals = cached_values(folder, photos).get("proposals")
     found: Outlines = {}
     for view, photo in photos.photos.items():

@@ -1,4 +1,4 @@
-"""How points and photos are drawn."""
+"""Drawing of points and photos."""
 
 from __future__ import annotations
 
@@ -28,20 +28,20 @@ UNSURE_BELOW: Final = DOUBTFUL_BELOW  # confidence at which a point is fully red
 _SURE_ABOVE: Final = 0.75  # confidence at which a point is fully green; taste
 
 
-def image_of(rgb: NDArray[np.uint8]) -> QImage:
-    """Return an (H, W, 3) uint8 picture as Qt draws it fastest; may be called on any thread."""
+def to_qimage(rgb: NDArray[np.uint8]) -> QImage:
+    """Return an (H, W, 3) uint8 picture as a QImage in Qt's fastest format; thread-safe."""
     pixels = np.ascontiguousarray(rgb)
     height, width = pixels.shape[:2]
     image = QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888)
     return image.convertToFormat(QImage.Format.Format_RGB32)  # a copy: the pixels belong to numpy and may go
 
 
-def pixmap_of(rgb: NDArray[np.uint8]) -> QPixmap:
+def to_pixmap(rgb: NDArray[np.uint8]) -> QPixmap:
     """Return an (H, W, 3) uint8 picture as a pixmap."""
-    return QPixmap.fromImage(image_of(rgb))
+    return QPixmap.fromImage(to_qimage(rgb))
 
 
-def path_of(borders_px: Iterable[NDArray[np.float64]]) -> QPainterPath:
+def to_painter_path(borders_px: Iterable[NDArray[np.float64]]) -> QPainterPath:
     """Return closed borders (M, 2), photo pixels, as a path in Qt's photo coordinates."""
     path = QPainterPath()
     for border in borders_px:
@@ -66,12 +66,12 @@ _SQUARE: Final = ((-0.95, -0.95), (0.95, -0.95), (0.95, 0.95), (-0.95, 0.95))
 
 
 def point_shape(confidence: float, corrected: bool) -> str:
-    """Return how a point is drawn, see :func:`draw_point`."""
+    """Return a point's shape, see :func:`draw_point`."""
     return "square" if corrected else "triangle" if confidence < UNSURE_BELOW else "ring"
 
 
-def radius_of(scale: float, *, strong: bool) -> float:
-    """Return the radius of a point, widget pixels: small on a small photo, where a face is all points else."""
+def point_radius(scale: float, *, strong: bool) -> float:
+    """Return the radius of a point, widget pixels: small on a small photo, where points would hide the face."""
     return RADIUS * min(max(0.4 + scale, 0.6), 1.2) * (1.6 if strong else 1.0)
 
 
@@ -95,7 +95,7 @@ def draw_point(painter: QPainter, at: QPointF, colour: QColor, radius: float, sh
 
 
 def draw_outline(painter: QPainter, outline: QPainterPath, colour: QColor = CLONE) -> None:
-    """Draw an outline over its photo, as thin as the screen allows at any zoom."""
+    """Draw an outline over its photo, one screen pixel wide at any zoom."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
     pen = QPen(colour, 1.5)
     pen.setCosmetic(True)
@@ -113,7 +113,7 @@ def draw_anchor(painter: QPainter, at: QPointF, radius: float) -> None:
 
 
 def draw_partner(painter: QPainter, at: QPointF) -> None:
-    """Draw a dashed ring where the mirrored partner of the chosen point is expected."""
+    """Draw a dashed ring where the mirrored partner of the selected point is expected."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for pen in (QPen(QColor(0, 0, 0, 150), 3.5), QPen(QColor(255, 255, 255), 1.5, Qt.PenStyle.DashLine)):
         painter.setPen(pen)
@@ -123,7 +123,9 @@ def draw_partner(painter: QPainter, at: QPointF) -> None:
 def draw_magnifier(
     painter: QPainter, photo: QPixmap, outlines: Sequence[tuple[QPainterPath, QColor]], at: QPointF, place: QPointF
 ) -> None:
-    """Draw a round close-up of the photo around ``place`` (Qt's photo coordinates) with cross hairs, around ``at``."""
+    """Draw a round magnification of the photo around ``place`` (Qt's photo coordinates) with cross hairs, around
+    ``at``.
+    """
     half, scale = MAGNIFIER / 2.0, max(MAGNIFIED, 2.0 * painter.device().devicePixelRatio())
     circle = QPainterPath()
     circle.addEllipse(at, half, half)
@@ -162,7 +164,7 @@ def draw_name(painter: QPainter, at: QPointF, text: str) -> None:
 
 
 class ScaledPhoto:
-    """A photo at the size it is shown, kept until the view moves: scaling it anew for every move of a point is slow."""
+    """A photo scaled to its displayed size, cached until the view changes, as scaling for every move is slow."""
 
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()

@@ -1,4 +1,4 @@
-"""One of the five photos as a card: picture, what was found, and a menu of what can be done with it."""
+"""One of the five photos as a card: picture, findings, and a menu."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent, QKeyEvent, QMouseE
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
-from cloner_gui.canvas.photos.painting import pixmap_of
+from cloner_gui.canvas.photos.painting import to_pixmap
 from cloner_gui.canvas.photos.poses import pose_picture
 from cloner_gui.language.words import VIEW_TITLES, translate
-from cloner_gui.widgets.pieces import Card, label, name, restyle
+from cloner_gui.widgets.pieces import Card, label, restyle, set_accessible_name
 
 VIEW_MIME: Final = "application/x-cloner-view"
 
 
 class Picture(QLabel):
-    """A picture as large as there is room."""
+    """A picture that fills the available space."""
 
     resized = Signal()
 
@@ -47,7 +47,7 @@ class Picture(QLabel):
     def show_rgb(self, rgb: NDArray[np.uint8] | None) -> None:
         """Show an (H, W, 3) uint8 picture, or none; the same one again costs nothing."""
         if rgb is None or rgb is not self._rgb:
-            self._rgb, self._whole = rgb, None if rgb is None else pixmap_of(rgb)
+            self._rgb, self._whole = rgb, None if rgb is None else to_pixmap(rgb)
             self._fit()
 
     def show_pose(self, view: ViewId) -> None:
@@ -91,7 +91,7 @@ class Picture(QLabel):
 
 
 class PhotoCard(Card):
-    """A view's photo; its menu, drags and drops are signals."""
+    """A view's photo; its menu, drags and drops emit signals."""
 
     add_wanted = Signal(object)
     exchange_wanted = Signal(object, object)
@@ -142,7 +142,7 @@ class PhotoCard(Card):
         restyle(self.verdict, "good" if fine else "dim" if rgb is None else "warn")
         title = VIEW_TITLES[self.view]
         self.heading.setText(title)
-        name(self.menu_button, translate("photos", "What to do with {photo}").format(photo=title))
+        set_accessible_name(self.menu_button, translate("photos", "What to do with {photo}").format(photo=title))
         self.setAccessibleName(f"{title}: {verdict}")
         keys = translate("photos", "Return shows or chooses the photo, Space tells what else can be done.")
         self.setAccessibleDescription(keys)
@@ -230,7 +230,7 @@ class PhotoCard(Card):
 
 
 class TrayCard(Card):
-    """A photo that shows no view yet; its menu gives it a place."""
+    """A photo without a view; its menu assigns one."""
 
     use_wanted = Signal(object)
     remove_wanted = Signal()
@@ -251,7 +251,9 @@ class TrayCard(Card):
         menu.addSeparator()
         menu.addAction(translate("photos", "Delete"), self.remove_wanted.emit)
         self.menu_button.setMenu(menu)
-        name(self.menu_button, translate("photos", "Photo {n} without a place").format(n=number), verdict)
+        set_accessible_name(
+            self.menu_button, translate("photos", "Photo {n} without a place").format(n=number), verdict
+        )
         row = QHBoxLayout()
         row.addWidget(picture)
         side = QVBoxLayout()

@@ -1,4 +1,4 @@
-"""Which point or piece of outline is meant, which point comes next, and where a point's partner is expected."""
+"""Picking: which point or piece of outline is meant, the next point, and a point's expected mirrored partner."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _FLAT: Final = (ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.FACE_FRONT)
 
 
 def nearest_point(places: Array, at: tuple[float, float], reach: float) -> int | None:
-    """Return the row of the place nearest to ``at``, or None when all are farther than ``reach``.
+    """Return the row of the point nearest to ``at``, or None if all are farther than ``reach``.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def nearest_on_outline(borders_px: Iterable[Array], at_px: tuple[float, float], 
 
 
 def worst_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
-    """Return the proposed points of all photos, the one first whose true place is expected to mend most.
+    """Return the proposed points of all photos in the order of their expected improvement by a correction.
 
     See `cloner.editing.order.by_expected_gain`; what an operator placed comes last.
     """
@@ -53,8 +53,10 @@ def worst_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]
     return by_expected_gain(points)
 
 
-def next_of(order: list[tuple[ViewId, str]], now: tuple[ViewId, str] | None, step: int) -> tuple[ViewId, str] | None:
-    """Return the point ``step`` places after ``now`` in an order, round and round; the first without ``now``."""
+def next_in_order(
+    order: list[tuple[ViewId, str]], now: tuple[ViewId, str] | None, step: int
+) -> tuple[ViewId, str] | None:
+    """Return the point ``step`` places after ``now`` in an order, cyclically; the first without ``now``."""
     if not order:
         return None
     if now not in order:
@@ -62,7 +64,7 @@ def next_of(order: list[tuple[ViewId, str]], now: tuple[ViewId, str] | None, ste
     return order[(order.index(now) + step) % len(order)]
 
 
-def partner(name: str) -> str:
+def mirrored_name(name: str) -> str:
     """Return the name of the same point on the person's other side, "" for points in the middle."""
     for here, there in (*_PARTNER_ENDS, *(pair[::-1] for pair in _PARTNER_ENDS)):
         if name.endswith(here):
@@ -73,16 +75,16 @@ def partner(name: str) -> str:
     return ""
 
 
-def partner_place(points: ViewPoints, name: str) -> Array | None:
-    """Return the (2,) pixel where a point's partner would be, were the person as symmetric as they stand; or None.
+def expected_mirror_px(points: ViewPoints, name: str) -> Array | None:
+    """Return the (2,) pixel of a point's mirrored partner if the person were symmetric in the photo; or None.
 
     The mirror is the line through the middles of all other pairs, perpendicular to what joins them.
     """
-    other, place = partner(name), points.get(name)
+    other, place = mirrored_name(name), points.get(name)
     if points.view not in _FLAT or not other or place is None:
         return None
     pairs = [
-        (points.points_px[row], points.get(partner(own)))
+        (points.points_px[row], points.get(mirrored_name(own)))
         for row, own in enumerate(points.names)
         if own not in (name, other) and own.endswith(("_L", "_left")) | own.startswith("l_")
     ]

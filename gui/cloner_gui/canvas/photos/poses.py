@@ -16,7 +16,7 @@ _NOSE: Final = ((0.065, 0.055), (0.085, 0.075), (0.062, 0.085))
 
 
 def pose_picture(view: ViewId, size: QSize, ink: QColor, paper: QColor) -> QPixmap:
-    """Return how to stand for a photo, drawn in a picture of some pixels; drawn once, as cards show it again often."""
+    """Return a drawing of the pose for a photo; cached, as cards show it again often."""
     key = f"pose {view} {size.width()}x{size.height()} {ink.name()} {paper.name()}"
     known = QPixmap()
     if QPixmapCache.find(key, known):

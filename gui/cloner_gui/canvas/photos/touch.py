@@ -1,4 +1,4 @@
-"""Fingers on a picture: one does what the left button does, two zoom and pan."""
+"""Touch on a picture: one finger acts as the left button, two zoom and pan."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from PySide6.QtGui import QEventPoint, QTouchEvent
 
 
 class Touchable(Protocol):
-    """What fingers can do with a picture."""
+    """What touch can do with a picture."""
 
     def take_hold(self, at: QPointF, *, finger: bool = False) -> None:
         """Take hold of what lies at a place."""
@@ -25,7 +25,7 @@ class Touchable(Protocol):
 
 
 class TouchHand:
-    """Turns touches into what the picture's hand does.
+    """Translates touches into the picture's mouse actions.
 
     Parameters
     ----------

@@ -29,7 +29,7 @@ from cloner_gui.canvas.photos.lens import ZOOM_STEP, Lens
 from cloner_gui.canvas.photos.overlay import paint_close_up, paint_outlines, paint_points
 from cloner_gui.canvas.photos.picking import nearest_on_outline, nearest_point
 from cloner_gui.canvas.photos.touch import TouchHand
-from cloner_gui.language.point_names import spoken
+from cloner_gui.language.point_names import point_label
 
 Borders = tuple[NDArray[np.float64], ...]
 
@@ -92,12 +92,12 @@ class PhotoView(QWidget):
 
     def set_clone_outline(self, borders_px: Iterable[NDArray[np.float64]]) -> None:
         """Show the (M, 2) closed borders of the clone, photo pixels; none shows nothing."""
-        self._clone = painting.path_of(borders_px)
+        self._clone = painting.to_painter_path(borders_px)
         self.update()
 
     def set_outline(self, borders_px: Borders) -> None:
         """Show the (M, 2) closed borders of the person as linked in the photo, photo pixels."""
-        self.outline_px, self._outline = borders_px, painting.path_of(borders_px)
+        self.outline_px, self._outline = borders_px, painting.to_painter_path(borders_px)
         self.update()
 
     def show_all(self) -> None:
@@ -264,7 +264,7 @@ class PhotoView(QWidget):
         if name.startswith(ANCHOR):
             menu.addAction(self.tr("Remove this outline point")).triggered.connect(lambda: self.point_reset.emit(name))
         elif name:
-            text = self.tr("Use the proposal for %1 again").replace("%1", spoken(name))
+            text = self.tr("Use the proposal for %1 again").replace("%1", point_label(name))
             menu.addAction(text).triggered.connect(lambda: self.point_reset.emit(name))
         elif self._outline_at(at, _REACH) is not None:
             menu.addAction(self.tr("Add an outline point here")).triggered.connect(lambda: self.add_anchor(at))
@@ -282,7 +282,7 @@ class PhotoView(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().dark())
         if self._pixmap.isNull() and self._rgb is not None:
-            self._pixmap = painting.pixmap_of(self._rgb)  # when it is first seen: five at once hold the window up
+            self._pixmap = painting.to_pixmap(self._rgb)  # when it is first seen: five at once hold the window up
         self._scaled.draw(painter, self._pixmap, self.lens, self.devicePixelRatioF())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         outlines = [(self._clone, painting.CLONE), (self._outline, painting.LINKED)]

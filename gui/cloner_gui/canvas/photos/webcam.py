@@ -18,11 +18,11 @@ from cloner.booth.photos.tethered import Tethered
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner_gui.background.worker import Kept
-from cloner_gui.canvas.photos.painting import pixmap_of
+from cloner_gui.canvas.photos.painting import to_pixmap
 from cloner_gui.canvas.photos.poses import pose_outline as pose_outline
 from cloner_gui.language.words import VIEW_TITLES, translate
 from cloner_gui.widgets.flow import Flow
-from cloner_gui.widgets.pieces import button, label, name
+from cloner_gui.widgets.pieces import button, label, set_accessible_name
 
 #: Time between button and photo, seconds, so that the operator can look at the visitor again (taste).
 COUNTDOWN_S: Final = 3
@@ -31,8 +31,8 @@ _COUNT_SHARE: Final = 0.5  # of the picture's height; 10 cm on a small screen ar
 _PAUSE_S: Final = 0.04  # 25 pictures a second are smooth, more only warm the machine
 
 
-class Grabber(Kept):
-    """Reads a camera off the window's thread; only the newest picture counts."""
+class FrameGrabber(Kept):
+    """Reads a camera in a background thread; only the latest picture counts."""
 
     seen = Signal()
     shot = Signal(bytes)
@@ -86,7 +86,7 @@ class Grabber(Kept):
         self.wait()
 
 
-class Guided(QWidget):
+class GuidedPicture(QWidget):
     """The live picture, with the outline of the wanted pose over it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -108,7 +108,7 @@ class Guided(QWidget):
             scale = min(self.width() / wide, self.height() / high)
             room = QRectF(0, 0, wide * scale, high * scale)
             room.moveCenter(QRectF(self.rect()).center())
-            painter.drawPixmap(room, pixmap_of(self.picture), QRectF(0, 0, wide, high))
+            painter.drawPixmap(room, to_pixmap(self.picture), QRectF(0, 0, wide, high))
         outline = pose_outline(self.view, room)
         for colour, width in ((QColor(0, 0, 0, 150), 6), (QColor(255, 255, 255, 230), 2.5)):
             painter.setPen(QPen(colour, width, Qt.PenStyle.DashLine if width < 4 else Qt.PenStyle.SolidLine))
@@ -152,7 +152,7 @@ class WebcamDialog(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(translate("webcam", "Webcam"))
-        self.live, self.views, self.sources = Guided(), QComboBox(), QComboBox()
+        self.live, self.views, self.sources = GuidedPicture(), QComboBox(), QComboBox()
         self._makers = (make, tethered)
         self.take_button, self.turn_button, self.hint = button("main"), button(), label("dim")
         self._quarters, self._left = 0, 0
@@ -170,8 +170,8 @@ class WebcamDialog(QDialog):
         self._choose()
         self._grabber.start()
 
-    def _grab(self, make: Callable[[], Camera]) -> Grabber:
-        grabber = Grabber(make)
+    def _grab(self, make: Callable[[], Camera]) -> FrameGrabber:
+        grabber = FrameGrabber(make)
         grabber.seen.connect(self._show)
         grabber.shot.connect(self._take)
         grabber.failed.connect(self._fail)
@@ -209,9 +209,9 @@ class WebcamDialog(QDialog):
         self.hint.setText(translate("webcam", "Fill the outline, and keep all of it in the picture."))
         self.sources.addItem(translate("webcam", "Webcam"))
         self.sources.addItem(translate("webcam", "Camera on a cable"))
-        name(self.sources, translate("webcam", "Which camera takes it"))
-        name(self.views, translate("webcam", "Which photo is taken"))
-        name(self.live, translate("webcam", "Live picture"))
+        set_accessible_name(self.sources, translate("webcam", "Which camera takes it"))
+        set_accessible_name(self.views, translate("webcam", "Which photo is taken"))
+        set_accessible_name(self.live, translate("webcam", "Live picture"))
         row, column = Flow(), QVBoxLayout(self)
         for one in (self.sources, self.views, self.turn_button, self.take_button):
             row.addWidget(one)

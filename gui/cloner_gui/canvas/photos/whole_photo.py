@@ -1,4 +1,4 @@
-"""One photo at its full size: opened by a double click on its card, zoomed by the wheel, moved by the hand."""
+"""One photo at full size: opened by a double click on its card, zoomed by the wheel, moved by dragging."""
 
 from __future__ import annotations
 
