@@ -129,14 +129,14 @@ def write_acted(
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
         "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
-    data, told = pack_arrays(arrays)
+    data, layout = pack_arrays(arrays)
     kept = {name: own for name, own in facts["files"].items() if name.startswith("people/") or name == BODY_FILE}
     files = {ACTED_FILE: data, **(room.files if room else {}), **(spoken.files if spoken else {}),
              **(scenario.files if scenario else {})}  # fmt: skip
     made = {key: value for key, value in facts.items() if key not in ("room", "staging", "scenario", "spoken")} | {
         "scene": ACTED, "people_count": len(acted.people),
         "files": kept | {name: digest(own) for name, own in files.items()},
-        "acted": {"seconds": seconds, "people": len(acted.people), "arrays": told, "views": dict(views)},
+        "acted": {"seconds": seconds, "people": len(acted.people), "arrays": layout, "views": dict(views)},
     }  # fmt: skip
     if scenario:
         made["scenario"] = scenario.facts

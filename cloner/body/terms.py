@@ -91,7 +91,7 @@ def _own_points(generic: GenericHuman, evidence: PhotoEvidence, params: Params) 
 
     Proposed points on the outline are left out: the outline itself says more (measured: no difference with or without).
     """
-    points, told = evidence.points, len(evidence.net.bases) > 0
+    points, has_net_bases = evidence.points, len(evidence.net.bases) > 0
     own = []
     for name, pixel, sure, fixed in zip(
         points.names, points.points_px, points.confidence, points.corrected, strict=True
@@ -99,7 +99,7 @@ def _own_points(generic: GenericHuman, evidence: PhotoEvidence, params: Params) 
         joint = name in generic.joint_names
         if fixed and (joint or name in generic.feature_names) and name not in ENDS:
             own.append((name, pixel[None], params.corrected_mm, True))
-        elif joint and not told:
+        elif joint and not has_net_bases:
             own.append((name, pixel[None], params.joint_mm / max(float(sure), 1e-3), False))
     return own
 

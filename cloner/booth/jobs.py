@@ -56,10 +56,10 @@ class Jobs:
         """Return a photo's view and its problems; the nets' results are cached."""
         progress("look", 0.0)
         photo = load_photo(path, wanted or ViewId.BODY_FRONT)
-        told, proposal = check_photo(photo, wanted)
+        check, proposal = check_photo(photo, wanted)
         if proposal is not None:
             self._remember(photo.digest, proposal)
-        return told
+        return check
 
     def propose(self, folder: Path, progress: Progress) -> Path:
         """Propose the points of all photos of a visitor, store them in the work folder, and return the file.

@@ -116,18 +116,18 @@ class Worker:
             if not pipe.poll(LISTEN_S):
                 progress(step, fraction)
                 continue
-            kind, *told = pipe.recv()
+            kind, *content = pipe.recv()
             if kind == "progress":
-                step, fraction = told
+                step, fraction = content
                 progress(step, fraction)
             elif kind == "shown":
-                show(told[0])
+                show(content[0])
             elif kind == "log":
-                logging.getLogger(told[1]).log(told[0], "%s", told[2])
+                logging.getLogger(content[1]).log(content[0], "%s", content[2])
             elif kind == "done":
-                return told[0]
+                return content[0]
             else:
-                raise told[0]
+                raise content[0]
 
 
 class _Teller(logging.Handler):

@@ -59,11 +59,11 @@ def write_checkpoint(path: Path, key: str, stamp: str, frames_m: list[Array], st
 def read_checkpoint(path: Path, key: str) -> tuple[list[Array], State] | None:
     """Return the frames of the same simulation and the state after them; None if there are none."""
     try:
-        with open_archive(path, MOST_BYTES) as told:
-            if str(told["key"]) != key:
+        with open_archive(path, MOST_BYTES) as archive:
+            if str(archive["key"]) != key:
                 return None
-            frames, speeds = told["frames_m"], told["speeds_m_s"]
-            slips = Slips(told["strain"], told["bent_m"]) if "strain" in told else None
+            frames, speeds = archive["frames_m"], archive["speeds_m_s"]
+            slips = Slips(archive["strain"], archive["bent_m"]) if "strain" in archive else None
     except BROKEN:  # none, or cut off
         return None
     if frames.ndim != 3 or not len(frames) or frames[0].shape != speeds.shape:

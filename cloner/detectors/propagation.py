@@ -171,10 +171,10 @@ def propagate_to_net(net_px: Array, points: ViewPoints) -> Array:
     frame, count = align_layout(before, errors), len(before.names)
     if frame is None or errors.net is None:
         return net_px.copy()
-    told = _kalman_gain(errors, frame, before, points.corrected[:count], points.points_px[:count])
-    if told is None:
+    gains = _kalman_gain(errors, frame, before, points.corrected[:count], points.points_px[:count])
+    if gains is None:
         return net_px.copy()
-    gain, error = told
+    gain, error = gains
     return np.asarray(net_px + (errors.net @ gain @ error) @ frame.px_from_iod.T)
 
 

@@ -112,7 +112,7 @@ def obey_pose(
         for view in dict.fromkeys(target.view for target in targets)
     }
     found = _solve_joints(held, len(rows), params)
-    shift_m, poses, told = found["places"].reshape(-1, 3), dict(views), {}
+    shift_m, poses, outcomes = found["places"].reshape(-1, 3), dict(views), {}
     joints = joints_m.copy()
     joints[rows] += shift_m
     for name, one in held.items():
@@ -122,8 +122,8 @@ def obey_pose(
         now, _ = one.seen(found["places"], found[name])
         for target, old, new in zip(one.targets, was, now, strict=False):  # joints to be kept follow the wishes
             row = rows.index(generic.joint(target.name)) if target.name in generic.joint_names else -1
-            told[id(target)] = _outcome(target, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
-    return joints, poses, [told[id(target)] for target in targets]
+            outcomes[id(target)] = _outcome(target, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
+    return joints, poses, [outcomes[id(target)] for target in targets]
 
 
 def _photo_constraints(

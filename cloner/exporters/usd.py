@@ -252,8 +252,8 @@ def _material(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh) -> Any:
             dark = surface.CreateInput("occlusion", kinds.Float)
             dark.ConnectToSource(map_.CreateOutput("r", kinds.Float))
     else:
-        for value, told in zip((rough, metal), shell_shine(clone, 0.85), strict=True):
-            value.Set(told)
+        for value, shine in zip((rough, metal), shell_shine(clone, 0.85), strict=True):
+            value.Set(shine)
     surface.CreateInput("diffuseColor", kinds.Color3f).ConnectToSource(picture.CreateOutput("rgb", kinds.Float3))
     if mesh.two_sided:
         surface.CreateInput("opacity", kinds.Float).ConnectToSource(picture.CreateOutput("a", kinds.Float))

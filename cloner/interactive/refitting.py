@@ -69,9 +69,9 @@ def refit_body(values: Mapping[str, Any], corrections: Corrections) -> RefittedB
     body, face = moved_points(values, corrections)
     silhouettes: SilhouetteSet = values["silhouettes"]
     head, on_face = preview_face(values["joined"], values["face_points"], face)
-    person, told = obey(head, body, silhouettes)
+    person, outcomes = obey(head, body, silhouettes)
     whole = same_fit(values["body_points"], body, silhouettes) and same_points(values["face_points"], face)
-    return RefittedBody(person, (*told, *on_face), whole)
+    return RefittedBody(person, (*outcomes, *on_face), whole)
 
 
 def clone_after(values: Mapping[str, Any], person: Joined) -> Clone:

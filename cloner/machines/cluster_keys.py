@@ -79,18 +79,20 @@ def write_keys(folder: Path, contents: Mapping[str, bytes]) -> tuple[Path, ...]:
 
 def _contents(folder: Path) -> dict[str, bytes]:
     """Return all files of a folder of keys."""
-    from cryptography.hazmat.primitives import serialization as told
+    from cryptography.hazmat.primitives import serialization
     from cryptography.hazmat.primitives.asymmetric import ec
 
     authority_key = ec.generate_private_key(ec.SECP256R1())
     authority = _signed("authority", authority_key.public_key(), None, authority_key)
-    contents = {AUTHORITY: authority.public_bytes(told.Encoding.PEM)}
+    contents = {AUTHORITY: authority.public_bytes(serialization.Encoding.PEM)}
     for role in ROLES:
         own = ec.generate_private_key(ec.SECP256R1())
         contents[certificate(role)] = _signed(role, own.public_key(), authority, authority_key).public_bytes(
-            told.Encoding.PEM
+            serialization.Encoding.PEM
         )
-        contents[key(role)] = own.private_bytes(told.Encoding.PEM, told.PrivateFormat.PKCS8, told.NoEncryption())
+        contents[key(role)] = own.private_bytes(
+            serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
+        )
     return {**contents, SETTINGS: _settings(folder).encode()}
 
 

@@ -56,11 +56,11 @@ def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, PhotoAg
                 layers = clone_layers(clone, posed.rotations if view.is_body else None)
                 yield posed, coverage(layers, posed.camera, supersample=1) > 0.5  # half a pixel's cover
 
-    def told(shown: tuple[PosedView, Mask]) -> tuple[ViewId, PhotoAgreement]:
+    def agreement(shown: tuple[PosedView, Mask]) -> tuple[ViewId, PhotoAgreement]:
         posed, own = shown
         return posed.view, _agreement(clone, posed, own, silhouettes.views[posed.view].mask)
 
-    return dict(parallel_map(told, drawn()))
+    return dict(parallel_map(agreement, drawn()))
 
 
 def _agreement(clone: Clone, posed: PosedView, drawn: Mask, seen: Mask) -> PhotoAgreement:

@@ -102,11 +102,11 @@ def room_parts(
         "corners": np.concatenate(corners).astype(np.float32), "probes": probes.light, "sun": probes.sun,
         "walkable": walkable,
     }  # fmt: skip
-    data, told = pack_arrays(arrays)
+    data, layout = pack_arrays(arrays)
     sheet = texture_sheet([room.looks[one.look] for one in meshes])
     sun = room.plan.sun
     facts = {
-        "name": room.plan.name, "arrays": told, "low": probes.low.tolist(), "heights": probes.heights.tolist(),
+        "name": room.plan.name, "arrays": layout, "low": probes.low.tolist(), "heights": probes.heights.tolist(),
         "step": probes.step, "shape": list(probes.sun.shape), "brightest": brightest,
         "ground_low": list(ground_low), "ground_step": ground_step,
         "sky_light": list(room.plan.sky.light), "ground": room.looks[room.plan.floors[-1].look].albedo.tolist(),
@@ -149,8 +149,8 @@ def _with_statues(
         heading = np.arctan2(0.0, -away[1]) if along else np.arctan2(away[0], 0.0)
         wakes = next((when for when, what in walk.told if what == f"{name} awakens"), NEVER_S)
         rows.append((block.at[0], -block.at[1], block.low, float(heading), wakes))
-    staged, told = add_statues(acted, read_stock(pack, facts), rows, seconds)
-    return staged, {**told, "things": list(blocks)}
+    staged, staging = add_statues(acted, read_stock(pack, facts), rows, seconds)
+    return staged, {**staging, "things": list(blocks)}
 
 
 def page_views(plan: Plan) -> dict[str, list[list[float]]]:

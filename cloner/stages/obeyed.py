@@ -135,13 +135,13 @@ def run(
 
     Residual: the worst distance of the clone from a corrected point, px.
     """
-    person, told = obey(joined, body_points, silhouettes)
+    person, outcomes = obey(joined, body_points, silhouettes)
     tick(0.8)
-    outlines = bend_silhouettes(silhouettes, body_points, told) if told else silhouettes
-    worst = [one.after_px for one in told if one.kind in ("outline", "pose")]
+    outlines = bend_silhouettes(silhouettes, body_points, outcomes) if outcomes else silhouettes
+    worst = [one.after_px for one in outcomes if one.kind in ("outline", "pose")]
     residuals = (Residual("corrected point, worst", max(worst), "px"),) if worst else ()
-    values: Mapping[str, object] = {"obeyed": person, "obeyed_silhouettes": outlines, "obeyed_points": told}
-    return StageResult(values, residuals, warnings_of(told))
+    values: Mapping[str, object] = {"obeyed": person, "obeyed_silhouettes": outlines, "obeyed_points": outcomes}
+    return StageResult(values, residuals, warnings_of(outcomes))
 
 
 def warnings_of(points: tuple[ObeyedPoint, ...]) -> tuple[str, ...]:

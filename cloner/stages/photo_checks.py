@@ -185,8 +185,8 @@ def _trouble_in_face_side(proposal: Proposal, photo: Photo) -> str:
 
 def side_face_odds(proposal: Proposal, photo: Photo) -> float:
     """Return the log odds that a photo shows a head from the side, by all cues."""
-    told = profile_odds(proposal)
-    odds = (told * pose_reliability(proposal) if told < 0.0 else told) + 2.0
+    profile = profile_odds(proposal)
+    odds = (profile * pose_reliability(proposal) if profile < 0.0 else profile) + 2.0
     if odds < 1.0:
         odds += max(log_odds(face_offset_in_head(proposal), *ASIDE, ASIDE_MOST), 0.0)
     if odds < 1.0:

@@ -105,19 +105,19 @@ def blob_folder(
     if material:
         check_material(material)
     progress("body", 0.0)
-    told, name = read_blobs(blobs), safe_identifier(identifier)
+    blob_list, name = read_blobs(blobs), safe_identifier(identifier)
     base = load_clone_at(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
-    made, found = clone_of_blobs(base, told)
+    made, found = clone_of_blobs(base, blob_list)
     stamp = base.stamp or stamp_text(0, texture_size)
-    made = replace(made, stamp=f"{stamp}, {len(told)} blobs"[:400])
+    made = replace(made, stamp=f"{stamp}, {len(blob_list)} blobs"[:400])
     with result_folder(out, name) as folder:
         made = statue_of(made, material) if material else made
         progress("export", 0.6)
-        options = {"blobs": len(told), "material": material}
+        options = {"blobs": len(blob_list), "material": material}
         write_result(made, folder, f"Body {name}", formats, make_manifest(made, "body of blobs", options, onto))
     progress("done", 1.0)
     off = 1000.0 * np.abs(found.off_m[np.isfinite(found.off_m)])
-    lines = [f"{len(told)} blobs: the skin lies {off.mean():.1f} mm from their surface on average"]
+    lines = [f"{len(blob_list)} blobs: the skin lies {off.mean():.1f} mm from their surface on average"]
     if found.missed:
         lines.append(f"note: {found.missed} vertices met no blob and follow their neighbours")
     return out / name, tuple(lines)

@@ -128,12 +128,12 @@ def photo_folder(
     foreign = onto is not None and onto.suffix.lower() == OBJ
     _check_material(material, foreign=foreign)
     progress("photos", 0.0)
-    told, picture, name = read_markers(markers), read_picture(photo), safe_identifier(identifier)
+    placed, picture, name = read_markers(markers), read_picture(photo), safe_identifier(identifier)
     source = None if foreign else onto
     clone = None if foreign else load_clone_at(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
     mesh = mesh_of(clone) if clone is not None else read_obj(Path(str(onto)))
     progress("textures", 0.2)
-    fitted = _fitted(mesh, told.vertices(named=not foreign), _at_size(told.px, picture), picture, texture_size)
+    fitted = _fitted(mesh, placed.vertices(named=not foreign), _at_size(placed.px, picture), picture, texture_size)
     stamp = stamp_text(0, texture_size, [picture.digest])
     with result_folder(out, name) as folder:
         progress("export", 0.6)

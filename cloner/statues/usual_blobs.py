@@ -52,28 +52,28 @@ def usual_blobs(vertices_m: Array, joints_m: Array) -> tuple[Blob, ...]:
     free[free > 0.0] /= np.sqrt(SHARE * len(points) / len(begin))
     sought = np.flatnonzero(free)
 
-    def told(values: Array) -> tuple[Blob, ...]:
+    def blobs_of(values: Array) -> tuple[Blob, ...]:
         whole = start.copy()
         whole[sought] = values
         return _with(begin, whole)
 
     def residuals(values: Array) -> Array:
-        field = field_of(_both(told(values)), joints_m)
+        field = field_of(_both(blobs_of(values)), joints_m)
         return np.concatenate([(field.at(points) - LEVEL) / SKIN, (values - start[sought]) / free[sought]])
 
     def slopes(values: Array) -> Array:
-        now, out = told(values), np.zeros((len(points), len(values)))
+        now, out = blobs_of(values), np.zeros((len(points), len(values)))
         before = [field_of(_both((blob,)), joints_m).at(points) for blob in now]
         for column, number in enumerate(sought):
             step = values.copy()
             step[column] += 1e-5
             blob = owner[number]
-            own = field_of(_both((told(step)[blob],)), joints_m)
+            own = field_of(_both((blobs_of(step)[blob],)), joints_m)
             out[:, column] = (own.at(points) - before[blob]) / 1e-5
         return np.concatenate([out / SKIN, np.diag(1.0 / free[sought])])
 
     solved = least_squares(residuals, start[sought], jac=slopes, method="lm", max_nfev=30)
-    return _both(told(solved.x))
+    return _both(blobs_of(solved.x))
 
 
 def _begin(scale: float) -> tuple[Blob, ...]:

@@ -28,8 +28,7 @@ def make_certificate(root: Path, address: str) -> tuple[Path, Path]:
         hint = "Switch encryption off and use a hotspot of the booth's own with a password"
         raise ClonerError("an encrypted page needs a library that is not here", hint, "cryptography")
     from cryptography import x509
-    from cryptography.hazmat.primitives import hashes
-    from cryptography.hazmat.primitives import serialization as told
+    from cryptography.hazmat.primitives import hashes, serialization
     from cryptography.hazmat.primitives.asymmetric import ec
     from cryptography.x509.oid import NameOID
 
@@ -47,8 +46,10 @@ def make_certificate(root: Path, address: str) -> tuple[Path, Path]:
         .sign(key, hashes.SHA256())
     )
     contents = {
-        CERTIFICATE_FILE: made.public_bytes(told.Encoding.PEM),
-        KEY_FILE: key.private_bytes(told.Encoding.PEM, told.PrivateFormat.PKCS8, told.NoEncryption()),
+        CERTIFICATE_FILE: made.public_bytes(serialization.Encoding.PEM),
+        KEY_FILE: key.private_bytes(
+            serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
+        ),
     }
     certificate, own_key = write_keys(root, contents)
     return certificate, own_key

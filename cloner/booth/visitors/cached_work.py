@@ -23,8 +23,8 @@ def cached_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:
     for name in (VALUES_FILE, PROPOSED_FILE):
         values = load_values(folder / WORK / name)
         if values and values.pop("digests", None) == photo_digests(photos):
-            told = values if name == VALUES_FILE else {"proposals": values["proposals"]}
-            return {**told, "photos": photos}
+            kept_values = values if name == VALUES_FILE else {"proposals": values["proposals"]}
+            return {**kept_values, "photos": photos}
     return {}
 
 

@@ -235,14 +235,14 @@ def exchange_garment(
     """
     code = STEP * (GROUPS.index(garment) + 1)
     new, old = donor_codes == code, codes == code
-    out, told = rgb.copy(), codes.copy()
+    out, new_codes = rgb.copy(), codes.copy()
     bare = old & ~new & (zone_texels(len(codes)) > 0)
     if bare.any():
         for name, colour in skin_colours(rgb, codes).items():
             part = bare & (_naked_codes(codes.shape[0]) == STEP * (GROUPS.index(name) + 1))
-            out[part], told[part] = colour, STEP * (GROUPS.index(name) + 1)
-    out[new], told[new] = donor_rgb[new], code
-    return out, told
+            out[part], new_codes[part] = colour, STEP * (GROUPS.index(name) + 1)
+    out[new], new_codes[new] = donor_rgb[new], code
+    return out, new_codes
 
 
 def skin_colours(rgb: Pixels, codes: Pixels) -> dict[str, NDArray[np.uint8]]:

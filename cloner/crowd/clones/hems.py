@@ -58,7 +58,7 @@ def refine_hems(rgb: Pixels, codes: Pixels) -> Pixels:
     sides = [_mean((charts & (codes != code)).astype(np.float32), inside, _EVENED * scale) for code in held]
     shared = [_mean((cost + _LEAVING * side) * band, band.astype(np.float32), _SHARED * scale)
               for cost, side in zip(costs, sides, strict=True)]  # fmt: skip
-    own = np.any([(codes == code) & told for code, told in zip(held, known, strict=True)], axis=0)
+    own = np.any([(codes == code) & there for code, there in zip(held, known, strict=True)], axis=0)
     best = np.array(held, np.uint8)[np.where(np.array(reach) & known, shared, np.inf).argmin(axis=0)]
     skins = ~np.isin(best, worn) & ~np.isin(codes, worn)  # limbs keep their borders with one another
     return np.where(band & own & ~skins, best, codes).astype(np.uint8)

@@ -41,13 +41,13 @@ _TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EAC
 
 def pack_arrays(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
     """Return arrays concatenated, little-endian, aligned to 8 bytes, deflated; and the offset of each."""
-    chunks, told, at = [], {}, 0
+    chunks, layout, at = [], {}, 0
     for name, values in arrays.items():
         data = np.ascontiguousarray(values, values.dtype.newbyteorder("<")).tobytes()
-        told[name] = {"at": at, "type": values.dtype.name, "shape": list(values.shape)}
+        layout[name] = {"at": at, "type": values.dtype.name, "shape": list(values.shape)}
         chunks += [data, b"\0" * (-len(data) % 8)]
         at += len(data) + (-len(data) % 8)
-    return zlib.compress(b"".join(chunks), 9), told
+    return zlib.compress(b"".join(chunks), 9), layout
 
 
 def unpack_arrays(data: bytes, parsed: Mapping[str, Any]) -> dict[str, NDArray[Any]]:

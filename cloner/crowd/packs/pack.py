@@ -133,7 +133,7 @@ def _write_person(
         "vertices": own.vertices, "loose": own.loose, "corners": own.corners, "bones": own.bones, "table": table,
         "tiles": tiles.rows,
     }  # fmt: skip
-    data, told = pack_arrays(arrays)
+    data, layout = pack_arrays(arrays)
     place = f"people/{cast.identifier}"
     content = {
         "numbers.bin": data,
@@ -161,7 +161,7 @@ def _write_person(
         "width_to_depth": round(cast.width_to_depth, 3),
         "views": tiles.views,
         "stamp": clone.stamp,
-        "arrays": told,
+        "arrays": layout,
         **({"face": faced} if faced else {}),
         "clips": [
             {"name": clip.name, "seconds": clip.seconds, "speed_m_s": round(clip.speed_m_s, 4),

@@ -45,10 +45,10 @@ def pack(gltf: Any) -> None:
             way = ways[number] if number in ways else _attributes(strides[number])
             packed = way(data)
         if packed is not None and len(packed[0]) < len(data):
-            stored, told = packed
-            view.extensions = {EXTENSION: {"buffer": 0, "byteOffset": own, "byteLength": len(stored), **told}}
+            stored, properties = packed
+            view.extensions = {EXTENSION: {"buffer": 0, "byteOffset": own, "byteLength": len(stored), **properties}}
             view.buffer, view.byteOffset = 1, elsewhere
-            view.byteLength = told["byteStride"] * told["count"]
+            view.byteLength = properties["byteStride"] * properties["count"]
             elsewhere += -(-view.byteLength // 4) * 4
         else:
             stored, view.byteOffset = data, own

@@ -81,9 +81,9 @@ def _interpolated(kind: str, motion: str, name: str, values: tuple[Array, Array]
     """Yield an interpolator with its keys (F,) and values (F, k), and the routes through it."""
     keys, rows = values
     line = " ".join(["%.5f"] * rows.shape[1]) + ", "
-    node, told = f"{motion}_{name}", (line * len(rows)) % tuple(rows.ravel().tolist())
+    node, key_values = f"{motion}_{name}", (line * len(rows)) % tuple(rows.ravel().tolist())
     key = ("%.4f " * len(keys)) % tuple(keys.tolist())
-    yield f'<{kind}Interpolator DEF="{node}" key="{key}" keyValue="{told}"/>\n'
+    yield f'<{kind}Interpolator DEF="{node}" key="{key}" keyValue="{key_values}"/>\n'
     yield f'<ROUTE fromNode="{motion}_clock" fromField="fraction_changed" toNode="{node}" toField="set_fraction"/>\n'
     yield f'<ROUTE fromNode="{node}" fromField="value_changed" toNode="{to[0]}" toField="{to[1]}"/>\n'
 

@@ -94,7 +94,7 @@ def bare_rows(covers: Mapping[str, Cover]) -> NDArray[np.bool_]:
     """
     places = (*((kind.segment, kind.place) for kind in MEASURES), *SLICES)
     bare = [_is_bare(covers, segment, place) for segment, place in places]
-    return np.array([told and key not in COLLARED for key, told in zip(ALL_KEYS, bare, strict=True)])
+    return np.array([is_bare and key not in COLLARED for key, is_bare in zip(ALL_KEYS, bare, strict=True)])
 
 
 def _is_bare(covers: Mapping[str, Cover], segment: str, place: float) -> bool:

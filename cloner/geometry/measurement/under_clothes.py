@@ -134,13 +134,13 @@ def hypotheses(evidence: OutlineMeasures, prior: MeasurePrior) -> Hypotheses:
     )
     for sex, (mean, covariance) in enumerate(zip(prior.means, prior.covariances, strict=True)):
         start = (evidence.stature_m * mean, evidence.stature_m**2 * covariance)
-        known, told = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
+        known, log_evidence = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
         known, guessed = _conditioned(*known, seen_rows, under, under_noise)
         for upper, lower, which in _garments(prior, evidence.bare):
             ease, sigma = _select_by_fit(which, prior.ease_mm), _select_by_fit(which, prior.ease_covariances)
             wanted = shown - ease[rows]
             body, seen = _conditioned(*known, rows, wanted, noise + sigma[np.ix_(rows, rows)])
-            logs[sex, upper, lower] = told + guessed + seen
+            logs[sex, upper, lower] = log_evidence + guessed + seen
             means[sex, upper, lower] = body[0]
             variances[sex, upper, lower] = np.diag(body[1])
     upper_folds, lower_folds = (_rumple_likelihoods(evidence.rumple_mm, prior, place) for place in (0, 1))

@@ -66,7 +66,7 @@ class Matte:
     share : (h, w) float32, 0..1
     rgb : (h, w, 3) float32
         Colours of the hair alone, levels.
-    told : (h, w) bool
+    separable : (h, w) bool
         Where hair and wall differ.
     core : (h, w) bool
         Where hair is a surface.
@@ -82,7 +82,7 @@ class Matte:
 
     share: Picture
     rgb: Picture
-    told: Mask
+    separable: Mask
     core: Mask
     origin_px: Array
     step: float
@@ -126,19 +126,21 @@ def make_matte(rgb: NDArray[np.uint8], view: HairView, pixel_mm: float) -> Matte
     deep, wall = hair & (_away_mm(~hair, fine_mm) > DEEP_MM), _away_mm(person | hair, fine_mm) > WALL_MM
     if np.count_nonzero(deep) < FEWEST_PX:
         return None
-    share, told, pure = hair.astype(np.float32), np.zeros(hair.shape, np.bool_), deep
+    share, separable, pure = hair.astype(np.float32), np.zeros(hair.shape, np.bool_), deep
     own = _extrapolate(picture, pure, SMOOTH_MM / fine_mm)
     if np.count_nonzero(wall) >= FEWEST_PX:
         behind = _extrapolate(picture, wall, SMOOTH_MM / fine_mm)
         for _ in range(ROUNDS):
-            share, told, strange = _shares(picture, own, behind, hair)
+            share, separable, strange = _shares(picture, own, behind, hair)
             pure = hair & (share > PURE) & (strange < STRANGE)
-            own = _extrapolate(picture, pure | (deep & ~told), SMOOTH_MM / fine_mm)
+            own = _extrapolate(picture, pure | (deep & ~separable), SMOOTH_MM / fine_mm)
     share = np.where(other, np.float32(0.0), share)
     core = _core(share, hair, other, fine_mm)
     alone = np.where(pure[..., None], picture, own)
     first = np.array([columns[0], rows[0]], np.float64)
-    return Matte(share, alone, told, core, first, step, fine_mm, _ring_means(share, told, core, other, fine_mm))
+    return Matte(
+        share, alone, separable, core, first, step, fine_mm, _ring_means(share, separable, core, other, fine_mm)
+    )
 
 
 def _shares(picture: Picture, own: Picture, behind: Picture, hair: Mask) -> tuple[Picture, Mask, Picture]:
@@ -236,7 +238,7 @@ def _extrapolate(picture: Picture, known: Mask, blur_px: float) -> Picture:
     size = (-(-known.shape[1] // 2), -(-known.shape[0] // 2))
     weight = cv2.resize(known.astype(np.float32), size, interpolation=cv2.INTER_AREA)
     total = cv2.resize(picture * known[..., None], size, interpolation=cv2.INTER_AREA)
-    told = (weight > 0.0).astype(np.float32)
-    whole = push_pull(np.asarray(total / np.maximum(weight, 1e-6)[..., None], np.float32), told)
+    weighted = (weight > 0.0).astype(np.float32)
+    whole = push_pull(np.asarray(total / np.maximum(weight, 1e-6)[..., None], np.float32), weighted)
     smooth = cv2.GaussianBlur(whole, (0, 0), max(blur_px / 2.0, 0.5))
     return np.asarray(cv2.resize(smooth, known.shape[::-1], interpolation=cv2.INTER_LINEAR), np.float32)

@@ -157,15 +157,15 @@ def _strip(rim: HalfOutline, matte: Matte, pixel_m: float, reach_mm: float) -> R
     away_mm = np.arange(reach_mm, -ROOT_MM, -TEXEL_MM)
     pixel = place[None] + out[None] * (away_mm / mm_from_m(pixel_m))[:, None, None]
     at = matte.window_px(pixel.reshape(-1, 2)).reshape(*pixel.shape).astype(np.float32)
-    rgb, alpha, told = (
+    rgb, alpha, separable = (
         cv2.remap(picture, at[..., 0], at[..., 1], cv2.INTER_LINEAR)
-        for picture in (matte.rgb, matte.share, matte.told.astype(np.float32))
+        for picture in (matte.rgb, matte.share, matte.separable.astype(np.float32))
     )
     height, width = matte.share.shape
     inside = np.all((at >= 0.0) & (at <= np.array([width - 1.0, height - 1.0])), axis=-1)
     alpha = np.where(inside, alpha, 0.0)
     outer = uniform_filter1d(alpha[away_mm > (1.0 - FADE) * reach_mm].mean(axis=0), round(BROAD_MM / TEXEL_MM))
-    known = inside.all(axis=0) & (outer < WALL_SHARE) & (told[away_mm > 0.0].mean(axis=0) > TOLD_SHARE)
+    known = inside.all(axis=0) & (outer < WALL_SHARE) & (separable[away_mm > 0.0].mean(axis=0) > TOLD_SHARE)
     fade = np.clip((reach_mm - away_mm) / (FADE * reach_mm), 0.0, 1.0)
     alpha = alpha * fade[:, None] * gaussian_filter1d(free, END_MM / TEXEL_MM)
     return RimStrip(np.dstack([np.where(inside[..., None], rgb, 0.0), 255.0 * alpha]).astype(np.float32), known)

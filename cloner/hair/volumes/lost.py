@@ -71,14 +71,14 @@ def lost_hair(view: HairView, rgb: NDArray[np.uint8], others: list[HairView], mi
         return lost
     pixels = step * coarse[:, ::-1].astype(np.float64) + (box[1].start, box[0].start)
     points = view.to_rest(view.posed.camera.back_project(pixels, np.repeat(middle, len(pixels), axis=0)))
-    told, judged = np.ones(len(points), np.bool_), np.zeros(len(points), np.bool_)
+    inside_all, judged = np.ones(len(points), np.bool_), np.zeros(len(points), np.bool_)
     for other in others:
         there = other.to_view(points)
         inside = sample(other.outline_px, other.posed.camera.project(there))[:, 0] * other.pixel_mm(there)
-        told &= np.isnan(inside) | (inside > SURE_MM)  # NaN outside the picture
+        inside_all &= np.isnan(inside) | (inside > SURE_MM)  # NaN outside the picture
         judged |= ~np.isnan(inside)
     small = np.zeros(asked[::step, ::step].shape, np.uint8)
-    small[tuple(coarse[told & judged].T)] = 1
+    small[tuple(coarse[inside_all & judged].T)] = 1
     small = cv2.morphologyEx(small, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     size = asked.shape[1], asked.shape[0]
     lost[box] = (cv2.resize(small, size, interpolation=cv2.INTER_NEAREST) > 0) & asked

@@ -132,14 +132,14 @@ def fit_frame(at: Reader, eyes_mm: Array, *, dark: bool) -> FrameShape | None:
     """
     rays = _lens_ends if dark else _frame_starts
     radii = usual_rim_mm()
-    radii, moved, told = _iterate_fit(lambda middle, sign, _: rays(at, middle, sign), eyes_mm, radii, np.zeros(4))
+    radii, moved, measured = _iterate_fit(lambda middle, sign, _: rays(at, middle, sign), eyes_mm, radii, np.zeros(4))
     across = USUAL_THICK_MM
     if not dark:
         across = _thickness_mm(at, eyes_mm, radii, moved)
-        radii, moved, told = _iterate_fit(
+        radii, moved, measured = _iterate_fit(
             lambda middle, sign, rim: _strongest_bands(at, middle, sign, rim, across), eyes_mm, radii, moved
         )
-    if (np.abs(told - radii) < SEEN_MM).any(axis=0).mean() < LEAST_SEEN:
+    if (np.abs(measured - radii) < SEEN_MM).any(axis=0).mean() < LEAST_SEEN:
         return None
     radii = radii + (-0.5 if dark else 0.5) * across
     rim, middles = radii[:, None] * _ray_directions(), _lens_centres(eyes_mm, moved)
@@ -265,7 +265,7 @@ def _fit_rim(told_mm: Array, radii_mm: Array) -> tuple[Array, Array]:
     along = np.column_stack([_ray_directions(), _ray_directions()])
     moves = [along, along * (1.0, 1.0, -1.0, -1.0)]
     rows = [np.column_stack([waves, move]) * np.sqrt(one)[:, None] for move, one in zip(moves, sure, strict=True)]
-    values = [np.sqrt(one) * np.nan_to_num(told) for told, one in zip(told_mm, sure, strict=True)]
+    values = [np.sqrt(one) * np.nan_to_num(measured) for measured, one in zip(told_mm, sure, strict=True)]
     prior = np.sqrt(PRIOR) * np.column_stack([waves, np.zeros((RAYS, 4))])
     held = np.sqrt(HELD)[:, None] * np.eye(waves.shape[1] + 4)[-4:]
     solved = np.linalg.lstsq(

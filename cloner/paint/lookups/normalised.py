@@ -169,16 +169,16 @@ def border_gains(colours: Array, claim: Array, trust: NDArray[np.floating], grap
     from the whole overlap instead of one line.
     """
     logs = np.asarray(log_levels(colours), np.float64)
-    share, told = (part**2 / np.maximum((part**2).sum(axis=0), 1e-12) for part in (claim, claim * trust))
+    share, trusted = (part**2 / np.maximum((part**2).sum(axis=0), 1e-12) for part in (claim, claim * trust))
 
     def gains(k: int) -> Array:
-        pull, mass, data = np.zeros(logs.shape[1:]), told[k].copy(), np.zeros(logs.shape[1])
+        pull, mass, data = np.zeros(logs.shape[1:]), trusted[k].copy(), np.zeros(logs.shape[1])
         for j in range(len(logs)):
             if j == k:
                 continue
             gap = logs[j] - logs[k]
             alike = 1.0 / (1.0 + beyond_light(gap) ** 4)
-            part = told[j] * alike * (claim[k] > 0.0)
+            part = trusted[j] * alike * (claim[k] > 0.0)
             pull += part[:, None] * gap
             mass += part
             data += np.sqrt(share[k] * share[j]) * alike

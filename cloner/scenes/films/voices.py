@@ -55,13 +55,13 @@ def read_voices(film: Film, folder: Path) -> tuple[SpokenParts, Voices] | None:
         for who in actors
     )
     _check_at_once(film, said)
-    data, told = pack_arrays({"weights": np.concatenate(list(rows.values()))})
+    data, layout = pack_arrays({"weights": np.concatenate(list(rows.values()))})
     kept = {SPOKEN_FILE: data} | {
         file: wav_bytes(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()
     }
     sounds = {file: resample(speeches[name].sound, speeches[name].rate_hz) for name, file in files.items()}
     heard = tuple(sounds.get(one.sound, np.zeros(0)) for one in said)
-    return SpokenParts(kept, {"arrays": told, "said": [asdict(one) for one in said]}), Voices(said, heard)
+    return SpokenParts(kept, {"arrays": layout, "said": [asdict(one) for one in said]}), Voices(said, heard)
 
 
 def _rows(speech: Speech) -> NDArray[np.float32]:

@@ -77,14 +77,14 @@ def make_newcomer(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> N
     }  # fmt: skip
     if cast.face is not None:
         arrays["moves"] = cast.face
-    data, told = pack_arrays(arrays)
+    data, layout = pack_arrays(arrays)
     files = {
         "numbers.bin": data,
         "atlas.webp": encode_webp(cast.atlas, ATLAS_QUALITY),
         "codes.webp": encode_webp(cast.marks, None),
         "shell.webp": shell_bytes(cast.shell),
     }
-    row = {"arrays": told, "stature_m": round(cast.stature_m, 4)}
+    row = {"arrays": layout, "stature_m": round(cast.stature_m, 4)}
     return Newcomer(files, row, touches, lengths)
 
 

@@ -80,7 +80,9 @@ def serve_folder(
     """
     living = RunningScene(pack, result_finder(clones), said)
     number = f"{secrets.randbelow(1_000_000):06}" if opens is None else ""
-    with served(living, opens or (lambda told: hmac.compare_digest(told.encode(), number.encode())), host, port) as url:
+    with served(
+        living, opens or (lambda entered: hmac.compare_digest(entered.encode(), number.encode())), host, port
+    ) as url:
         said(url)
         said(f"staff: Ctrl+Shift+K and the number {number or 'of the event'}")
         with advancing(living), lent(living, host) if lent else nullcontext("") as address:

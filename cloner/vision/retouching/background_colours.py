@@ -59,8 +59,8 @@ class ColoursByHeight:
         sure = cv2.medianBlur((strange & alike).astype(np.uint8), SPECK_PX) > 0
         # what hangs together with the room's colours and is as strange, the line around a panel, is room as well
         count, pieces = cv2.connectedComponents(strange.astype(np.uint8), connectivity=8)
-        whole, told = (np.bincount(pieces[part], minlength=count) for part in (strange, sure & strange))
-        doubt = (told > LEAST_TOLD * np.maximum(whole, 1))[pieces] & strange
+        whole, sure_count = (np.bincount(pieces[part], minlength=count) for part in (strange, sure & strange))
+        doubt = (sure_count > LEAST_TOLD * np.maximum(whole, 1))[pieces] & strange
         grown = cv2.dilate((doubt | sure).astype(np.uint8), np.ones((3, 3), np.uint8))
         kept = mask.copy()
         part = kept[seen.box]
