@@ -6,8 +6,10 @@ import itertools
 from dataclasses import dataclass
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import binary_fill_holes
 
 from cloner.caching import cached_per_object
 from cloner.calibration.loader import calibrated
@@ -20,6 +22,7 @@ from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import mm_from_m
 from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.records.arrays import Array
+from cloner.records.labels import Label
 from cloner.records.points import Proposal
 from cloner.vision.contours.snake import normals, sample_along_normals, snake_picture
 
@@ -66,9 +69,7 @@ class SideFace:
     ----------
     facing : int
         +1 when the person looks to the image's right, -1 to the left.
-    outline_px : (N, 4) float64
-        The person's outline and its outward normals.
-    fitted : Laid
+    fitted : FittedProfile
     names : tuple of str
         Those of paired points end with the side that is seen.
     points_px : (K, 2) float64
@@ -77,7 +78,6 @@ class SideFace:
     """
 
     facing: int
-    outline_px: Array
     fitted: FittedProfile
     names: tuple[str, ...]
     points_px: Array
@@ -106,19 +106,24 @@ def side_face_of(proposal: Proposal) -> SideFace | None:
 def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     """Return the profile of a side photo, or None without an outline.
 
-    Where the pose net tells the nose is looked first; unless a profile is sure there, all fronts are tried, either way.
+    The profile is sought with and without what the head wears, as glasses and caps change its outline; the more likely
+    one counts. Where the pose net tells the nose is looked first; unless a profile is sure there, all fronts are tried,
+    either way.
     """
-    full = whole_outline(proposal.mask)
-    if full is None:
-        return None
     hints = pose_hints(proposal)
 
     def rate(found: list[tuple[int, FittedProfile]]) -> list[tuple[tuple[float, float], int, FittedProfile]]:
         return [(log_odds_against(proposal, model, hints, facing, fitted), facing, fitted) for facing, fitted in found]
 
-    rated = rate(align_near_hints(proposal.mask, full, model, hints))
-    if not rated or min(doubt for doubt, *_ in rated)[0] > _DOUBTED:
-        rated += rate(align_anywhere(proposal.mask, full, model))
+    rated = []
+    for mask in (proposal.mask, *without_accessories(proposal.mask, proposal.labels)):
+        full = whole_outline(mask)
+        if full is None:
+            continue
+        own = rate(align_near_hints(mask, full, model, hints))
+        if not own or min(doubt for doubt, *_ in own)[0] > _DOUBTED:
+            own += rate(align_anywhere(mask, full, model))
+        rated += own
     if not rated:
         return None
     (odds, lost_iod), facing, fitted = min(rated, key=lambda one: one[0])
@@ -128,7 +133,19 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     side = "R" if facing > 0 else "L"
     paired = ("eye", "pupil", "ala", "mouth", "ear")
     names = tuple(f"{name}_{side}" if name.startswith(paired) else name for name in model.names)
-    return SideFace(facing, full, fitted, names, points, error)
+    return SideFace(facing, fitted, names, points, error)
+
+
+def without_accessories(mask: NDArray[np.uint8], labels: NDArray[np.uint8]) -> list[NDArray[np.uint8]]:
+    """Return the largest piece of a person's probability (H, W) without accessories; nothing if there are none."""
+    worn = labels == Label.ACCESSORY
+    if not worn.any():
+        return []
+    count, pieces, stats, _ = cv2.connectedComponentsWithStats(((mask > 127) & ~worn).astype(np.uint8))
+    if count < 2:
+        return []
+    bare = binary_fill_holes(pieces == 1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA])))
+    return [np.where(bare, np.maximum(mask, 128), 0).astype(np.uint8)]
 
 
 def whole_outline(mask: NDArray[np.uint8]) -> Array | None:
@@ -166,7 +183,7 @@ def missing_edge_share(rgb: NDArray[np.uint8], model: ProfileModel, fitted: Fitt
     ----------
     rgb : (H, W, 3) uint8
     model : ProfileModel
-    fitted : Laid
+    fitted : FittedProfile
     """
     curve = fitted.curve_px(model)
     picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * fitted.size, unit=_UNIT_PX)

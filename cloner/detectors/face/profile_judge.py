@@ -86,7 +86,7 @@ def features(
     Parameters
     ----------
     model : ProfileModel
-    fitted : Laid
+    fitted : FittedProfile
     facing : int
         +1 when the profile looks to the image's right, -1 left.
     labels : (H, W) uint8

@@ -203,3 +203,15 @@ def test_labels_tell_a_face_from_what_has_its_outline():
     )
     assert wrong > 1.5 * right
     assert face_share(sitter.model, found.fitted, labels) > 0.6
+
+
+def test_what_is_worn_before_a_face_does_not_become_its_profile():
+    """Worn things with the outline of a face, three centimetres before it; labels tell that they are worn."""
+    sitter = Sitter(12)
+    shift = np.float32([[1, 0, sitter.facing * 0.03 * sitter.scale], [0, 1, 0]])
+    worn = (cv2.warpAffine(sitter.mask, shift, SIZE[::-1]) > 127) & (sitter.mask <= 127)
+    labels = np.where(sitter.mask > 127, Label.FACE_SKIN, Label.BACKGROUND).astype(np.uint8)
+    labels[worn] = Label.ACCESSORY
+    mask = np.where(worn, 255, sitter.mask).astype(np.uint8)
+    errors = sitter.errors(find_side_face(replace(sitter.proposal(), mask=mask, labels=labels), sitter.model))
+    assert max(errors[name] for name in ("nasion", "nose_tip", "chin_front")) < 0.1
