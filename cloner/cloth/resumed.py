@@ -47,12 +47,12 @@ def write_checkpoint(path: Path, key: str, stamp: str, frames_m: list[Array], st
     ClonerError
         If they cannot be written.
     """
-    parsed: dict[str, Any] = {"key": np.array(key), "frames_m": np.array(frames_m), "speeds_m_s": state.speeds_m_s}
-    parsed["stamp"] = np.frombuffer(stamp.encode(), np.uint8)
+    arrays: dict[str, Any] = {"key": np.array(key), "frames_m": np.array(frames_m), "speeds_m_s": state.speeds_m_s}
+    arrays["stamp"] = np.frombuffer(stamp.encode(), np.uint8)
     if state.slips is not None:
-        parsed |= {"strain": state.slips.strain, "bent_m": state.slips.bent_m}
+        arrays |= {"strain": state.slips.strain, "bent_m": state.slips.bent_m}
     data = io.BytesIO()
-    np.savez(data, **parsed)
+    np.savez(data, **arrays)
     write_bytes(path, data.getvalue())
 
 

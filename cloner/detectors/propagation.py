@@ -142,10 +142,10 @@ def propagate_corrections(points: ViewPoints, fixed: NDArray[np.bool_], targets_
     places[fixed], confidence[fixed] = targets_px, 1.0
     errors = errors_in_view(points.view)
     frame = align_layout(points, errors)
-    message = None if frame is None else _kalman_gain(errors, frame, points, fixed, places)
-    if frame is None or message is None:
+    gains = None if frame is None else _kalman_gain(errors, frame, points, fixed, places)
+    if frame is None or gains is None:
         return places, confidence
-    gain, error = message
+    gain, error = gains
     axes = axis_rows(frame.known)
     most_likely = (errors.moment[axes] @ gain @ error).reshape(-1, 2) * frame.expected_iod[:, None]
     before = np.diag(errors.moment)[axes].reshape(-1, 2).sum(axis=1)

@@ -52,24 +52,24 @@ def find_covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
     if not np.isfinite(bare).any():
         return {}
     shares = {name: _slices(generic, name, bare) for name in generic.segment_names if name != "head"}
-    data: dict[str, Cover] = {}
+    covers: dict[str, Cover] = {}
     for (near, distal), garment in LIMBS.items():
         known = shares[garment][~np.isnan(shares[garment])]
         cloth = 1.0 - float(known.mean()) if len(known) else 0.0
-        data[garment] = Cover((True,) * SLICES, cloth)
+        covers[garment] = Cover((True,) * SLICES, cloth)
         for side in ("left", "right"):
             names = (f"{side}_{near}", f"{side}_{distal}")
             row = np.concatenate([shares[name] for name in names])
             covered = covered_slices(row)
             clear = float(np.nanmean(np.abs(2.0 * row - 1.0))) if np.isfinite(row).any() else 0.0
             for place, name in enumerate(names):
-                data[name] = Cover(tuple(covered[place * SLICES : (place + 1) * SLICES]), min(clear, cloth))
-    data["neck"] = _whole(bare[generic.region("neck")])
+                covers[name] = Cover(tuple(covered[place * SLICES : (place + 1) * SLICES]), min(clear, cloth))
+    covers["neck"] = _whole(bare[generic.region("neck")])
     for side in ("left", "right"):
         for part in ("hand", "foot"):
             segment = generic.segment(f"{side}_{part}")
-            data[f"{side}_{part}"] = _whole(bare[segment])
-    return {name: cover for name, cover in data.items() if any(slice_ is not None for slice_ in cover.covered)}
+            covers[f"{side}_{part}"] = _whole(bare[segment])
+    return {name: cover for name, cover in covers.items() if any(slice_ is not None for slice_ in cover.covered)}
 
 
 def covered_slices(share: Array) -> list[bool | None]:

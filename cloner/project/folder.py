@@ -285,7 +285,7 @@ def _checked_height(value: Any, where: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ClonerError("the height must be a number of centimetres", "Write height_cm = 172", where)
     if not SMALLEST_HEIGHT_CM <= value <= LARGEST_HEIGHT_CM:  # also refuses nan
-        sentence = f"{value:g}" if not abs(value) >= LARGEST_TOLD else "ever so many"
-        message = f"a height of {sentence} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
+        shown = f"{value:g}" if not abs(value) >= LARGEST_TOLD else "ever so many"
+        message = f"a height of {shown} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
         raise ClonerError(message, "Give the barefoot height in centimetres", where)
     return float(value)

@@ -129,8 +129,8 @@ def table_of(head: Sequence[str], rows: Iterable[Sequence[str]], *, caption: str
     """Return a table; cells that begin with a digit stand at the right."""
     top = "".join(f"<th>{escape(cell)}</th>" for cell in head)
     body = "".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in rows)
-    message = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f"<table>{message}<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+    caption_html = f"<caption>{escape(caption)}</caption>" if caption else ""
+    return f"<table>{caption_html}<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def _cell(text: str) -> str:

@@ -58,9 +58,9 @@ class KnownNames:
         if known is None or known[0] != stamp:
             try:
                 text = read_untrusted(folder / PERSON_FILE, LARGEST_BYTES).decode("utf-8-sig")
-                data = tomllib.loads(text).get("name", "")
+                given = tomllib.loads(text).get("name", "")
             except (ClonerError, OSError, ValueError, RecursionError):
-                data = ""
-            name = data.strip() if isinstance(data, str) else ""
+                given = ""
+            name = given.strip() if isinstance(given, str) else ""
             known = self._known[folder] = (stamp, name)
         return known[1]

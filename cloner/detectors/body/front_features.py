@@ -43,7 +43,7 @@ class SideFindings:
 
     Attributes
     ----------
-    contour : Flank
+    contour : SideContour
     cues : mapping of str to float
         Seen levels.
     levels : Levels

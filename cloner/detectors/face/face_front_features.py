@@ -55,10 +55,12 @@ def find_halves(
 
     Parameters are those of ``find_half``.
     """
-    data: dict[str, list[tuple[Array, float]]] = {}
+    found_by_name: dict[str, list[tuple[Array, float]]] = {}
     for side in "LR":
         found, _ = find_half(photo, proposal, names, points_px, feature, side)
         for name, place, error in zip(side_names(feature, side), found.points_px, found.error_iod, strict=False):
-            data.setdefault(name, []).append((place, float(error)))
-    places = np.array([np.mean([place for place, _ in both], axis=0) for both in data.values()])
-    return list(data), FoundFeature(places, np.array([np.mean([error for _, error in both]) for both in data.values()]))
+            found_by_name.setdefault(name, []).append((place, float(error)))
+    places = np.array([np.mean([place for place, _ in both], axis=0) for both in found_by_name.values()])
+    return list(found_by_name), FoundFeature(
+        places, np.array([np.mean([error for _, error in both]) for both in found_by_name.values()])
+    )

@@ -25,6 +25,7 @@ from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.points import Proposal
 from cloner.vision.contours.snake import normals, sample_along_normals, snake_picture
+from cloner.vision.segmentation.pieces import connected_pieces
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_side")
@@ -116,7 +117,7 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
         return [(log_odds_against(proposal, model, hints, facing, fitted), facing, fitted) for facing, fitted in found]
 
     rated = []
-    for mask in (proposal.mask, *without_accessories(proposal.mask, proposal.labels)):
+    for mask in _searched_masks(proposal):
         full = whole_outline(mask)
         if full is None:
             continue
@@ -136,16 +137,17 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     return SideFace(facing, fitted, names, points, error)
 
 
-def without_accessories(mask: NDArray[np.uint8], labels: NDArray[np.uint8]) -> list[NDArray[np.uint8]]:
-    """Return the largest piece of a person's probability (H, W) without accessories; nothing if there are none."""
-    worn = labels == Label.ACCESSORY
-    if not worn.any():
-        return []
-    count, pieces, stats, _ = cv2.connectedComponentsWithStats(((mask > 127) & ~worn).astype(np.uint8))
-    if count < 2:
-        return []
-    bare = binary_fill_holes(pieces == 1 + int(np.argmax(stats[1:, cv2.CC_STAT_AREA])))
-    return [np.where(bare, np.maximum(mask, 128), 0).astype(np.uint8)]
+def _searched_masks(proposal: Proposal) -> list[NDArray[np.uint8]]:
+    """Return the person's probability (H, W) and, if something is worn, its largest piece without accessories."""
+    worn = proposal.labels == Label.ACCESSORY
+    masks = [proposal.mask]
+    if worn.any():
+        box, pieces, figures = connected_pieces((proposal.mask > 127) & ~worn)
+        if len(figures) > 1:
+            bare = binary_fill_holes(pieces == 1 + int(np.argmax(figures[1:, cv2.CC_STAT_AREA])))
+            masks.append(np.zeros_like(proposal.mask))
+            masks[1][box] = np.where(bare, np.maximum(proposal.mask[box], 128), 0)
+    return masks
 
 
 def whole_outline(mask: NDArray[np.uint8]) -> Array | None:
