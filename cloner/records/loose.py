@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,8 @@ from cloner.records.arrays import freeze
 AROUND_LEGS = "around legs"
 #: A bag beside the hip, on the person's left or right.
 BAG_LEFT, BAG_RIGHT = "bag left", "bag right"
+#: Where a hem is told: -1 at the cloth's first edge, 1 at its last.
+HEM_PLACES: Final = np.linspace(-1.0, 1.0, 13)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,10 +30,8 @@ class LooseRegion:
         First photo row.
     edges_px : (R, 2) float64
         First and last column in every row from ``top_px`` down; below the hem's ends they go on straight.
-    hem_px : (2,) float64
-        Rows in which the left and the right edge end.
-    sag_px : float
-        How much lower the hem hangs halfway between its ends: half an ellipse, as a level hem looks from above.
+    hem_px : (13,) float64
+        Rows in which the cloth ends, at `HEM_PLACES` between its edges.
     seen : (R, 2) bool
         False where an arm hides the edge, which is then carried over from the rows around.
     confidence : float in 0..1
@@ -40,7 +41,6 @@ class LooseRegion:
     top_px: int
     edges_px: NDArray[np.float64]
     hem_px: NDArray[np.float64]
-    sag_px: float
     seen: NDArray[np.bool_]
     confidence: float
 
@@ -48,7 +48,7 @@ class LooseRegion:
         freeze(
             self,
             edges_px=(np.float64, (None, 2)),
-            hem_px=(np.float64, (2,)),
+            hem_px=(np.float64, (len(HEM_PLACES),)),
             seen=(np.bool_, (len(self.edges_px), 2)),
         )
 
@@ -67,8 +67,7 @@ class LooseRegion:
 
     def hem_row(self, across: NDArray[np.floating]) -> NDArray[np.float64]:
         """Return (N,) the hem's row at places between the edges, -1 at the first, 1 at the last."""
-        level = np.interp(across, [-1.0, 1.0], self.hem_px)
-        return np.asarray(level + self.sag_px * np.sqrt(np.clip(1.0 - across**2, 0.0, None)))
+        return np.asarray(np.interp(across, HEM_PLACES, self.hem_px))
 
     def cloth(self, shape: tuple[int, int], *, margin_px: float = 0.0) -> NDArray[np.bool_]:
         """Return the (H, W) pixels between the edges and above the hem by at least a margin."""

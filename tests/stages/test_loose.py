@@ -20,7 +20,7 @@ from cloner.geometry.outlines.contours import outline_field
 from cloner.hair.clothing import loose_clothes as loose
 from cloner.hair.clothing.loose_views import LegSkinning
 from cloner.project.clone_file import load_clone, save_clone
-from cloner.records.loose import AROUND_LEGS
+from cloner.records.loose import AROUND_LEGS, HEM_PLACES
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.silhouettes import with_cloth
@@ -123,7 +123,7 @@ def test_cloth_around_the_legs_is_found_in_all_photos_with_its_hem(kind):
         pixels = fit.views[view].camera.project(cloth[lowest])
         ends = pixels[[pixels[:, 0].argmin(), pixels[:, 0].argmax()]]
         pixel_mm = 1000 * fit.views[view].camera.metres_per_pixel(cloth.mean(axis=0))
-        assert np.abs(region.hem_px - ends[:, 1]).max() * pixel_mm < 45.0, f"{kind} {view}"
+        assert np.abs(region.hem_px[[0, -1]] - ends[:, 1]).max() * pixel_mm < 45.0, f"{kind} {view}"
 
 
 def slit(mask, pose_px, rise):
@@ -167,6 +167,27 @@ def test_the_shell_shows_the_outline_of_the_cloth_in_every_photo(kind):
         below = slice(outlines[view].loose[0].top_px, None)  # above the waist a coat is body
         overlap = (shown & true)[below].sum() / (shown | true)[below].sum()
         assert overlap > 0.95, f"{kind} {view}: {overlap:.3f}"
+
+
+def test_a_hem_that_rises_before_the_legs_rises_in_front_and_not_behind():
+    _, _, fit, outlines, (shell,) = dressed("long skirt")
+    front = outlines[ViewId.BODY_FRONT]
+    (region,) = front.loose
+    arch_px = 0.03 * np.count_nonzero(front.mask.any(axis=1))
+    arched = replace(region, hem_px=region.hem_px - arch_px * (1.0 - HEM_PLACES**2))
+    *_, pictures, proposals, _ = photographed("long skirt")
+    (raised,) = loose.loose_shells(
+        load_generic(), fit, studio.photo_set(pictures), Proposals(proposals),
+        SilhouetteSet(outlines | {ViewId.BODY_FRONT: replace(front, loose=(arched,))}), loose.Params(size=256),
+    )  # fmt: skip
+
+    def hem_m(one, side):
+        near = (np.abs(one.vertices_m[:, 0]) < 0.04) & (side * one.vertices_m[:, 2] > 0.05)
+        return one.vertices_m[near, 1].min()
+
+    arch_m = arch_px * fit.views[ViewId.BODY_FRONT].camera.metres_per_pixel(shell.vertices_m.mean(axis=0))
+    assert hem_m(raised, 1.0) - hem_m(shell, 1.0) == pytest.approx(2.0 / 3.0 * arch_m, rel=0.25)
+    assert abs(hem_m(raised, -1.0) - hem_m(shell, -1.0)) < 0.1 * arch_m
 
 
 def test_no_leg_pokes_through_at_rest_and_the_top_meets_the_waist():

@@ -17,9 +17,11 @@ from cloner.records.clones import Joined
 RINGS, COLUMNS = 44, 96  # of the mesh: counts, taste
 HULL_RINGS, HULL_COLUMNS, STEPS = 24, 48, 54  # the hull is smooth: found coarsely, then refined
 FARTHEST_M = 0.80  # cloth stands off the body's axis by no more than this
-ROUNDNESS = 2.2  # exponent of a section between ellipse (2) and box: hips and legs make it a little square (taste)
-SLANT_M = 0.03  # a foot beside the hem, or an arm, passes for its end: farther from the median is not believed
-LEVEL_TRUST = 0.6  # hems are usually level: what the photos' ends differ counts so much (taste)
+#: Exponent of a section between ellipse (2) and box: hips and legs make it a little square. Measured on 21 generated
+#: people in skirts and coats (of 30501 to 30640): overlap from 45 degrees .9302 at 2.2, .9320 at 2.5, .9311 at 2.8.
+ROUNDNESS = 2.5
+HEM_COLUMNS = 32  # the hem is smooth too
+HIDDEN = 0.15  # of half the cloth's depth: what lies farther behind its middle than this is hidden by it
 CLEARANCE_MM = 6.0  # cloth hangs at least this far outside the legs
 TUCK_MM, TUCK_M = 2.0, 0.03  # its upper border lies this deep in the skin and comes out within this height
 SMOOTH_COLUMNS, SMOOTH_RINGS = 1.0, 1.0
@@ -49,35 +51,32 @@ def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angle
 
 
 def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array:
-    """Return the rest heights (COLUMNS,) of the hem, from its ends at the edges and its lowest point in the photos.
+    """Return the rest heights (COLUMNS,) of the hem: each photo tells those of the side that faces it.
 
     Parameters
     ----------
     centre_m : (3,) on the axis near the hem
     half_m : (2,) half width and half depth there
     """
-    ends: dict[tuple[int, float], list[float]] = {}
+    angles = ring_angles(HEM_COLUMNS)
+    flat = directions(angles) * half_m
+    places = centre_m + np.stack([flat[:, 0], np.zeros(HEM_COLUMNS), flat[:, 1]], axis=1)
+    told: list[list[tuple[float, float]]] = [[] for _ in angles]
     for view in views:
-        places = {}
-        for axis in (0, 2):
-            for sign in (-1.0, 1.0):
-                places[axis, sign] = centre_m.copy()
-                places[axis, sign][axis] += sign * half_m[axis // 2]
-        axis = 0 if view.posed.view is not ViewId.BODY_SIDE else 2
-        for sign in (-1.0, 1.0):
-            edge = view.across(places[axis, sign][None])[0] > 0.0
-            row = float(view.region.hem_px[int(edge)])
-            ends.setdefault((axis, sign), []).append(view.height_of(row, places[axis, sign]))
-        nearest = min((key for key in places if key[0] != axis), key=lambda key: view.depth(places[key]))
-        row = float(view.region.hem_row(view.across(places[nearest][None]))[0])
-        ends.setdefault(nearest, []).append(view.height_of(row, places[nearest]))
-    level = float(np.median([height for found in ends.values() for height in found]))
-    mean = {key: float(np.clip(np.mean(found), level - SLANT_M, level + SLANT_M)) for key, found in ends.items()}
-    shares = directions(ring_angles(COLUMNS))
-    across, along = shares.T
-    sides = np.where(across > 0, mean.get((0, 1.0), level), mean.get((0, -1.0), level))
-    ends_m = np.where(along > 0, mean.get((2, 1.0), level), mean.get((2, -1.0), level))
-    return np.asarray(level + LEVEL_TRUST * (across**2 * sides + along**2 * ends_m - level))
+        nearer = view.depth(centre_m) - np.array([view.depth(place) for place in places])
+        facing = nearer / max(float(np.abs(nearer).max()), 1e-9)
+        for column in np.flatnonzero(facing > -HIDDEN):
+            row = float(view.region.hem_row(view.across(places[column][None]))[0])
+            weight = 1.0 + max(float(facing[column]), 0.0) ** 2  # the hem's outline counts, what faces the photo doubly
+            told[column].append((view.height_of(row, places[column]), weight))
+    known = np.array([column for column, rows in enumerate(told) if rows])
+    heights = np.zeros(len(known))
+    for k, column in enumerate(known):
+        rows_m, weights = np.array(told[column]).T
+        heights[k] = np.average(rows_m, weights=weights)
+    whole = np.interp(angles, angles[known], heights, period=2.0 * np.pi)
+    smooth = gaussian_filter1d(whole, SMOOTH_COLUMNS, mode="wrap")
+    return np.asarray(np.interp(ring_angles(COLUMNS), angles, smooth, period=2.0 * np.pi))
 
 
 def loose_tube(generic: GenericHuman, joined: Joined, views: list[LooseView]) -> Array:

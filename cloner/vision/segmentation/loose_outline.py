@@ -16,13 +16,19 @@ from scipy.ndimage import gaussian_filter1d, median_filter
 
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
-from cloner.records.loose import AROUND_LEGS, LooseRegion
+from cloner.records.loose import AROUND_LEGS, HEM_PLACES, LooseRegion
 from cloner.vision.segmentation.leg_rows import LegRows, leg_rows
 
 Bools = NDArray[np.bool_]
 
 #: Everything below is a share of the figure's height in the photo.
 ARC_SHARE = 0.045  # a level hem 0.25 m wide looks this high from a camera 0.7 m above it
+HIGHEST_ARCH = 1.5  # a hem rises between its ends by so many arcs at most
+STEEPEST = 0.8  # a hem's slope in the photo; the sides of legs are steeper
+END_TRUST = 0.05  # an edge's end counts like this share of the hem's columns
+LEAST_TOLD = 0.1  # of the hem's columns
+BENT = 0.02  # resistance to arches: one arc costs as much as an error of a seventh of one
+LOOSE_SHARE = 0.004  # hems are ragged by this
 END_SHARE = 0.0015  # an edge ends where it falls behind its widest place by this
 SETTLE_SHARE = 0.012  # outlines are smoothed over this
 LEAST_DROP = 0.035  # a hem gives up this much width at once
@@ -162,10 +168,10 @@ def region_around_legs(mask: Bools, legs: LegRows, hem: Hem) -> LooseRegion:
             limit = np.where(line > ends[column], np.inf, out)
             edges[:, column] = sign * np.minimum(np.interp(line, kept, out[kept]), limit)
         edges[:, column] = gaussian_filter1d(edges[:, column], 0.5 * settle, mode="nearest")
-    sag = _sag(mask, legs.top_px, edges, ends, arc)
-    last = min(int(max(ends.max() + max(sag, 0.0), row)) + settle, len(line) - 1)
+    ends_px = hem_rows(mask[legs.top_px :], edges, ends, legs.figure_px)
+    last = min(int(max(ends_px.max(), row)) + settle, len(line) - 1)
     return LooseRegion(
-        AROUND_LEGS, legs.top_px, edges[: last + 1], legs.top_px + ends, sag, seen[: last + 1], hem.confidence
+        AROUND_LEGS, legs.top_px, edges[: last + 1], legs.top_px + ends_px, seen[: last + 1], hem.confidence
     )
 
 
@@ -185,22 +191,55 @@ def _edge_end(legs: LegRows, column: int, row: int, arc: int, settle: int) -> fl
     return float(near[out[near] > out[near].max() - END_SHARE * legs.figure_px][-1])
 
 
-def _sag(mask: Bools, top_px: int, edges: Array, ends: Array, arc: int) -> float:
-    """Return how much lower the hem hangs in the middle of the photo than at its ends, px; 0 where legs cover it."""
-    low, high = edges[int(ends.min())]
+def hem_rows(mask: Bools, edges_px: Array, ends_px: Array, figure_px: float) -> Array:
+    """Return the rows (K,) in which cloth ends at `HEM_PLACES`, a smooth curve between and beside the legs.
+
+    In a column without a leg the cloth ends where the mask does. Where a leg comes out the mask goes on, so that its
+    end falls off steeply at the leg's sides: such columns tell nothing, and the curve keeps to the highest ends.
+
+    Parameters
+    ----------
+    mask : (H, W) bool
+        Rows as in ``edges_px``.
+    edges_px : (R, 2)
+        First and last column of the cloth in every row.
+    ends_px : (2,)
+        Rows in which the two edges end.
+    figure_px : float
+        Height of the figure.
+    """
+    arc = ARC_SHARE * figure_px
+    low, high = edges_px[int(ends_px.min())]
     columns = np.arange(max(int(low), 0), min(int(high), mask.shape[1] - 1) + 1)
-    if columns.size < 8:
-        return 0.0
+    first = max(int(ends_px.min() - HIGHEST_ARCH * arc), 0)
+    strip = mask[first : int(ends_px.max() + 2.0 * arc), columns]
+    level = np.interp(HEM_PLACES, [-1.0, 1.0], ends_px)
+    if columns.size < 8 or not strip.size:
+        return level
+    length = np.argmin(strip, axis=0).astype(np.float64)  # rows filled from the strip's top; 0 where all are
+    steep = np.abs(np.gradient(median_filter(length, 3))) > STEEPEST
+    told = (length > 0.0) & ~steep
     across = 2.0 * (columns - low) / max(high - low, 1.0) - 1.0
-    level = np.interp(across, [-1.0, 1.0], ends)
-    first = int(ends.min()) - arc
-    strip = mask[top_px + first : top_px + int(ends.max()) + 2 * arc, columns]
-    length = np.argmin(strip, axis=0)  # rows filled from the strip's top; 0 where all are: a leg
-    bulge = np.sqrt(np.clip(1.0 - across**2, 0.0, None))
-    sagging = (length > 0) & (bulge > 0.3)
-    if sagging.mean() < 0.1:
-        return 0.0
-    return float(np.clip(np.median((first + length - 1 - level)[sagging] / bulge[sagging]), -arc, 2 * arc))
+    row = np.concatenate([first + length[told] - 1.0, ends_px])
+    place = np.concatenate([across[told], [-1.0, 1.0]])
+    own = np.concatenate([np.ones(int(told.sum())), np.full(2, END_TRUST * columns.size)])
+    if told.mean() < LEAST_TOLD:
+        return level
+    basis = _hem_basis(place)
+    stiff = np.diag([0.0, 0.0, *([BENT * columns.size / arc**2] * 3)])
+    curve = np.zeros(basis.shape[1])
+    curve[:2] = np.mean(ends_px), 0.5 * (ends_px[1] - ends_px[0])
+    for _ in range(12):  # ends below the curve are legs'
+        below = row - basis @ curve
+        weight = own / (1.0 + (np.where(below > 0.0, 2.0, 0.5) * below / (LOOSE_SHARE * figure_px)) ** 2)
+        curve = np.linalg.solve((basis.T * weight) @ basis + stiff, basis.T @ (weight * row))
+    return np.asarray(_hem_basis(HEM_PLACES) @ curve)
+
+
+def _hem_basis(across: Array) -> Array:
+    """Return what a hem's curve is made of at (N,) places, (N, 5): level, slant and three arches."""
+    bulge = np.sqrt(np.clip(1.0 - across**2, 0.0, None))  # a level hem from above is half an ellipse
+    return np.stack([np.ones_like(across), across, bulge, bulge**2, across * bulge**2], axis=1)
 
 
 def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[ViewId, tuple[LooseRegion, ...]]:
