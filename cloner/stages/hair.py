@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.clothing.coverings import merge_covering_labels
 from cloner.hair.clothing.hoods import relabel_single_hoods
@@ -26,19 +25,25 @@ from cloner.hair.clothing.peaks import find_peak, headwear_views, peak_mesh, und
 from cloner.hair.clothing.scarves import scarf_shell
 from cloner.hair.shells.beard import beard_shell
 from cloner.hair.shells.mattes import hair_rim_mm, make_mattes, reduce_to_cores
-from cloner.hair.shells.mesh import extract_mesh, lowest_hair_m
 from cloner.hair.shells.rim_cards import crown_centre, rim_shell
 from cloner.hair.shells.rim_strips import make_strips
 from cloner.hair.shells.shell import dress_shell, visible_part
+from cloner.hair.shells.surface import (
+    hair_mesh,
+    head_rows,
+    median_plane_x,
+    scan_scalp,
+    tucked_skin,
+    with_common_height,
+)
 from cloner.hair.volumes.amounts import inconsistent_views
-from cloner.hair.volumes.cap import VOTE_MM, Scalp, measure_scalp
-from cloner.hair.volumes.crowns import align_crowns
+from cloner.hair.volumes.cap import VOTE_MM, Scalp
+from cloner.hair.volumes.covered_side import covered_side_views
 from cloner.hair.volumes.ears import press_ears
 from cloner.hair.volumes.lost import restore_lost_hair
 from cloner.hair.volumes.settled import settle_shell
-from cloner.hair.volumes.tail import find_tail
 from cloner.hair.volumes.views import HairSkinning, HairView, hair_views
-from cloner.hair.volumes.volume import FILM_MM, hair_field
+from cloner.hair.volumes.volume import FILM_MM
 from cloner.hair.volumes.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.details.glasses import glasses_shell
@@ -50,6 +55,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.views import face_focal_px
 from cloner.vision.photographs.noise import denoised
 
 
@@ -103,7 +109,8 @@ def run(
     views = merge_covering_labels(views, photos.photos, proposals, *scalp, neck_m)
     views = restore_lost_hair(views, photos.photos, head_middle(generic, joined))
     alike, odd = consistent_views(generic, joined, views)
-    hair = grow_hair(photos, proposals, alike, joined, tick, params or Params())
+    covered = covered_side_views(generic, joined, proposals, silhouettes, face_focal_px(photos, ViewId.FACE_SIDE))
+    hair = grow_hair(photos, proposals, alike, covered, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
     scarf = scarf_shell(generic, joined, photos, proposals, views)
@@ -144,11 +151,15 @@ def grow_hair(
     photos: PhotoSet,
     proposals: Proposals,
     views: list[HairView],
+    covered: list[HairView],
     joined: Joined,
     tick: Callable[[float], None],
     params: Params,
 ) -> StageResult:
-    """Return the hair shell, or none with the reason as a warning, and the thickness of its cap."""
+    """Return the hair shell, or none with the reason as a warning, and the thickness of its cap.
+
+    ``covered`` views are placed too roughly for a shape and give colours alone.
+    """
     generic = load_generic()
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
@@ -165,7 +176,11 @@ def grow_hair(
         return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
     tick(0.4)
     skin = tucked_skin(generic, joined, scalp)
-    mesh = hair_mesh(generic, joined, with_common_height(generic, joined, views, scalp), scalp, skin, params)
+    level = with_common_height(generic, joined, views, scalp)
+    mesh = hair_mesh(
+        generic, joined, level, scalp, skin,
+        margin_m=params.margin_m, triangles=params.triangles, smallest_piece=params.smallest_piece,
+    )  # fmt: skip
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
@@ -185,7 +200,16 @@ def grow_hair(
     strands = 1.0 if all(view.posed.view.is_front for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])
     shell = dress_shell(
-        generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried, worn=worn
+        generic,
+        joined,
+        photos,
+        views + covered,
+        surface,
+        hung,
+        params.size,
+        strands=strands,
+        carried=carried,
+        worn=worn,
     )
     cards = None
     if reach_mm is not None:
@@ -224,68 +248,3 @@ def add_peak(
         np.concatenate([triangles, faces + np.int32(len(vertices))]),
         np.concatenate([inside_mm, np.full(len(points), VOTE_MM)]),
     )
-
-
-def head_rows(generic: GenericHuman) -> NDArray[np.int64]:
-    """Return the skin vertices of head and neck, without the mouth's inside."""
-    skin = generic.vertex_part[generic.head_vertices] == generic.part_names.index("body")
-    inside = generic.region("mouth_interior")[generic.head_vertices]
-    return np.asarray(generic.head_vertices[skin & ~inside], dtype=np.int64)
-
-
-def median_plane_x(generic: GenericHuman, joined: Joined) -> float:
-    """Return x of the head's median plane, metres."""
-    return float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
-
-
-def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> Scalp:
-    """Return the hair measured at the head's vertices."""
-    rows = head_rows(generic)
-    triangles = body_triangles()
-    normals = vertex_normals(joined.vertices_m, triangles)
-    graph = surface_graph(joined.vertices_m, triangles)
-    place = np.full(len(joined.vertices_m), -1, np.int32)
-    place[rows] = np.arange(len(rows), dtype=np.int32)
-    own = place[triangles]
-    own = np.ascontiguousarray(own[(own >= 0).all(axis=1)])
-    points, scalp = joined.vertices_m[rows], generic.region("scalp")[rows]
-    ears = generic.region("ear_left")[rows] | generic.region("ear_right")[rows]
-    tail = find_tail(views, points, own, median_plane_x(generic, joined))
-    return measure_scalp(views, points, normals[rows], own, graph.part(rows), scalp, ears, tail)
-
-
-def tucked_skin(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array, Array]:
-    """Return vertices (M, 3) of the whole body's skin, the scalp tucked in, and their normals."""
-    skin, tucked = generic.vertex_part == generic.part_names.index("body"), joined.vertices_m.copy()
-    tucked[head_rows(generic)] = scalp.points_m
-    return tucked[skin], vertex_normals(tucked, body_triangles())[skin]
-
-
-def with_common_height(generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp) -> list[HairView]:
-    """Return the views with one height of hair over the ears."""
-    ears = generic.region("ear_left") | generic.region("ear_right")
-    return align_crowns(views, scalp.points_m, float(joined.vertices_m[ears, 1].mean()))
-
-
-def hair_mesh(
-    generic: GenericHuman,
-    joined: Joined,
-    views: list[HairView],
-    scalp: Scalp,
-    skin: tuple[Array, Array],
-    params: Params,
-) -> tuple[Array, NDArray[np.int32]] | None:
-    """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty.
-
-    ``skin`` is what :func:`tucked_skin` gives.
-    """
-    reach = np.array([params.margin_m, 0.0, params.margin_m])
-    low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
-    low[1] = min(low[1], lowest_hair_m(views) - params.margin_m)
-    ear = generic.region("ear_left") | generic.region("ear_right")
-    level = float(joined.vertices_m[ear, 1].mean())
-    # Ears are folds: by the planes of their skin the hair above them would lie in the head, which left a hole.
-    smooth = ~ear[generic.vertex_part == generic.part_names.index("body")]
-    body = skin[0][smooth], skin[1][smooth]
-    field, skin_mm = hair_field(views, scalp, body, low, high, median_plane_x(generic, joined), level)
-    return extract_mesh(field, skin_mm, low, params.triangles, params.smallest_piece)

@@ -70,6 +70,14 @@ def focal_px(photo: Photo, default_35mm: float) -> tuple[float, bool]:
     return focal_px_from_35mm(default_35mm, photo.width_px, photo.height_px), False
 
 
+def face_focal_px(photos: PhotoSet, view: ViewId) -> float:
+    """Return the focal length of a photo of the face in pixels, that of usual portraits unless the photo tells it; 0
+    without the photo.
+    """
+    photo = photos.photos.get(view)
+    return 0.0 if photo is None else focal_px(photo, Params().face_focal_35mm)[0]
+
+
 def level_camera(
     photo: Photo,
     focal: float,

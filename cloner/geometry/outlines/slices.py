@@ -19,8 +19,9 @@ from cloner.records.arrays import Array
 
 Bools = NDArray[np.bool_]
 
-#: Least and greatest change of a section's unseen depth: a sleeve doubles no arm (taste).
-ASPECT_LIMITS = (0.8, 1.35)
+#: Least and greatest change of a section's unseen depth: a sleeve doubles no arm. Of 12 generated people (30912 to
+#: 30923) forearms are 5.8 mm deeper against their widths than they are with 0.8 and 1.35, 4.7 so.
+ASPECT_LIMITS = (0.6, 1.4)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -230,10 +231,11 @@ def aspect_shift(pairs: SlicePairs, vertices_m: Array, points_m: Array, s: Array
     smooth : float
         Gaussian smoothing along the axis, in slices.
     """
-    known = pairs.valid.all(axis=1)
-    if known.sum() < 2:
+    shift, known = completed_shifts(pairs, 0.0)
+    cut = (pairs.vertices > 0).all(axis=1)
+    if not known.all() or cut.sum() < 2:
         return np.zeros_like(points_m)
-    ends, shift = vertices_m[pairs.vertices[known]], pairs.shift_m[known]
+    ends, shift = vertices_m[pairs.vertices[cut]], shift[cut]
     across = ends[:, 0] - ends[:, 1]
     width = np.maximum(np.linalg.norm(across, axis=1), 1e-6)
     ratio = 1.0 + np.einsum("ka,ka->k", shift[:, 0] - shift[:, 1], across) / width**2
@@ -243,6 +245,6 @@ def aspect_shift(pairs: SlicePairs, vertices_m: Array, points_m: Array, s: Array
     along = rows[-1, 1:4] - rows[0, 1:4]
     depth = np.cross(along, rows[:, 4:])
     rows[:, 4:] = unit(depth)
-    at = np.stack([np.interp(s, pairs.levels[known], column) for column in rows.T], axis=1)
+    at = np.stack([np.interp(s, pairs.levels[cut], column) for column in rows.T], axis=1)
     away = np.einsum("na,na->n", points_m - at[:, 1:4], at[:, 4:])
     return np.asarray(((at[:, 0] - 1.0) * away)[:, None] * at[:, 4:])
