@@ -8,7 +8,7 @@ Method notes section 12; visual hull after Laurentini 1994, limited to what labe
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import cast
 
 import numpy as np
@@ -24,11 +24,12 @@ from cloner.hair.clothing.loose_clothes import SAID, loose_shells
 from cloner.hair.clothing.peaks import find_peak, headwear_views, peak_mesh, under_headwear
 from cloner.hair.clothing.scarves import scarf_shell
 from cloner.hair.shells.beard import beard_shell
-from cloner.hair.shells.mattes import hair_rim_mm, make_mattes, reduce_to_cores
+from cloner.hair.shells.mattes import Matte, hair_rim_mm, make_mattes, reduce_to_cores
 from cloner.hair.shells.rim_cards import crown_centre, rim_shell
 from cloner.hair.shells.rim_strips import make_strips
 from cloner.hair.shells.shell import dress_shell, visible_part
 from cloner.hair.shells.surface import (
+    MeshLimits,
     hair_mesh,
     head_rows,
     median_plane_x,
@@ -67,24 +68,17 @@ class Params:
     ----------
     size : int
         Side of the texture, texels.
-    triangles : int
-        Most triangles of the shell.
+    mesh : MeshLimits
     thinnest_mm : float
         Hair thinner than this on the median is left to the skin's texture.
     least_share : float
         Bald below this share of hairy vertices on the scalp.
-    margin_m : float
-        How far the volume reaches around the head, and below the lowest hair.
-    smallest_piece : float
-        Pieces below this share of the largest are dropped.
     """
 
     size: int = 1024
-    triangles: int = 8000
+    mesh: MeshLimits = field(default_factory=MeshLimits)
     thinnest_mm: float = 1.5
     least_share: float = 0.1
-    margin_m: float = 0.14
-    smallest_piece: float = 0.02
 
 
 def run(
@@ -156,9 +150,8 @@ def grow_hair(
     tick: Callable[[float], None],
     params: Params,
 ) -> StageResult:
-    """Return the hair shell, or none with the reason as a warning, and the thickness of its cap.
-
-    ``covered`` views are placed too roughly for a shape and give colours alone.
+    """Return the hair shell, or none with the reason as a warning, and its cap's thickness; ``covered`` views only
+    colour it.
     """
     generic = load_generic()
     if not any(view.hair.any() for view in views):
@@ -176,11 +169,7 @@ def grow_hair(
         return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
     tick(0.4)
     skin = tucked_skin(generic, joined, scalp)
-    level = with_common_height(generic, joined, views, scalp)
-    mesh = hair_mesh(
-        generic, joined, level, scalp, skin,
-        margin_m=params.margin_m, triangles=params.triangles, smallest_piece=params.smallest_piece,
-    )  # fmt: skip
+    mesh = hair_mesh(generic, joined, with_common_height(generic, joined, views, scalp), scalp, skin, params.mesh)
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
@@ -199,30 +188,36 @@ def grow_hair(
     hung = HairSkinning.of(generic, joined).weights(surface[0])
     strands = 1.0 if all(view.posed.view.is_front for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])
+    seen = views + covered
     shell = dress_shell(
-        generic,
-        joined,
-        photos,
-        views + covered,
-        surface,
-        hung,
-        params.size,
-        strands=strands,
-        carried=carried,
-        worn=worn,
+        generic, joined, photos, seen, surface, hung, params.size, strands=strands, carried=carried, worn=worn
     )
-    cards = None
-    if reach_mm is not None:
-        bodies = {view.posed.view: posed_vertices(generic, joined, view.posed) for view in views}
-        grown, bare = (vertices, triangles), under_headwear(hats, vertices)
-        strips = make_strips(grown, body, bodies, views, mattes, reach_mm, crown_centre(vertices))
-        cards = rim_shell(shell, grown, (joined.vertices_m, body), strips, reach_mm, bare)
+    grown = vertices, triangles
+    cards = None if reach_mm is None else hair_cards(generic, joined, views, mattes, reach_mm, shell, grown, hats)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
     )
     tick(1.0)
     return StageResult({"shells": (shell,) if cards is None else (shell, cards)}, residuals)
+
+
+def hair_cards(
+    generic: GenericHuman,
+    joined: Joined,
+    views: list[HairView],
+    mattes: dict[ViewId, Matte],
+    reach_mm: float,
+    shell: Shell,
+    grown: tuple[Array, NDArray[np.int32]],
+    hats: list[HairView],
+) -> Shell | None:
+    """Return the cards around a hair's outline, with the photos' own strands, ``reach_mm`` long."""
+    body, vertices = body_triangles(), grown[0]
+    bodies = {view.posed.view: posed_vertices(generic, joined, view.posed) for view in views}
+    strips = make_strips(grown, body, bodies, views, mattes, reach_mm, crown_centre(vertices))
+    bare = under_headwear(hats, vertices)
+    return rim_shell(shell, grown, (joined.vertices_m, body), strips, reach_mm, bare)
 
 
 def add_peak(

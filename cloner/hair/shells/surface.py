@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,6 +19,25 @@ from cloner.hair.volumes.views import HairView
 from cloner.hair.volumes.volume import hair_field
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
+
+
+@dataclass(frozen=True, slots=True)
+class MeshLimits:
+    """Size of the hair's mesh.
+
+    Attributes
+    ----------
+    triangles : int
+        Most triangles of the shell.
+    margin_m : float
+        How far the volume reaches around the head, and below the lowest hair.
+    smallest_piece : float
+        Pieces below this share of the largest are dropped.
+    """
+
+    triangles: int = 8000
+    margin_m: float = 0.14
+    smallest_piece: float = 0.02
 
 
 def head_rows(generic: GenericHuman) -> NDArray[np.int64]:
@@ -66,31 +87,19 @@ def hair_mesh(
     views: list[HairView],
     scalp: Scalp,
     skin: tuple[Array, Array],
-    *,
-    margin_m: float,
-    triangles: int,
-    smallest_piece: float,
+    limits: MeshLimits,
 ) -> tuple[Array, NDArray[np.int32]] | None:
     """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty.
 
-    Parameters
-    ----------
-    skin : tuple
-        What :func:`tucked_skin` gives.
-    margin_m : float
-        How far the volume reaches around the head, and below the lowest hair.
-    triangles : int
-        Most triangles of the mesh.
-    smallest_piece : float
-        Pieces below this share of the largest are dropped.
+    ``skin`` is what :func:`tucked_skin` gives.
     """
-    reach = np.array([margin_m, 0.0, margin_m])
-    low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, margin_m, 0.0)
-    low[1] = min(low[1], lowest_hair_m(views) - margin_m)
+    reach = np.array([limits.margin_m, 0.0, limits.margin_m])
+    low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, limits.margin_m, 0.0)
+    low[1] = min(low[1], lowest_hair_m(views) - limits.margin_m)
     ear = generic.region("ear_left") | generic.region("ear_right")
     level = float(joined.vertices_m[ear, 1].mean())
     # Ears are folds: by the planes of their skin the hair above them would lie in the head, which left a hole.
     smooth = ~ear[generic.vertex_part == generic.part_names.index("body")]
     body = skin[0][smooth], skin[1][smooth]
     field, skin_mm = hair_field(views, scalp, body, low, high, median_plane_x(generic, joined), level)
-    return extract_mesh(field, skin_mm, low, triangles, smallest_piece)
+    return extract_mesh(field, skin_mm, low, limits.triangles, limits.smallest_piece)
