@@ -212,20 +212,23 @@ class Proposals:
     ----------
     views : mapping of ViewId to Proposal
     left_out : mapping of ViewId to str
-        Photos that nothing is taken from, and why, as the operator reads it.
+        Photos that no shape is taken from, and why, as the operator reads it.
+    covered : mapping of ViewId to Proposal
+        Those among them that show the person's hair.
     """
 
     views: Mapping[ViewId, Proposal]
     left_out: Mapping[ViewId, str] = field(default_factory=dict)
+    covered: Mapping[ViewId, Proposal] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
-        object.__setattr__(self, "left_out", MappingProxyType(dict(self.left_out)))
+        for name in ("views", "left_out", "covered"):
+            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
 
     def without(self, reasons: Mapping[ViewId, str]) -> Proposals:
         """Return the proposals without some photos."""
         kept = {view: proposal for view, proposal in self.views.items() if view not in reasons}
-        return Proposals(kept, {**self.left_out, **reasons})
+        return Proposals(kept, {**self.left_out, **reasons}, self.covered)
 
 
 @dataclass(frozen=True, slots=True)

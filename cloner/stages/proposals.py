@@ -23,6 +23,10 @@ from cloner.stages.photo_checks import shows_mostly_hair
 HIDDEN = (
     "nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face"
 )
+COVERED = (
+    "hair hides the face in this photo, so it shows no more than the hair; "
+    "retake it with hair, hood or scarf away from the face"
+)
 
 
 def resolve_hidden(
@@ -31,8 +35,9 @@ def resolve_hidden(
     """Return all proposals, with those of photos without a detected person, by help of the other photos.
 
     A side photo of the face may show hair or a hood alone. It is kept for its mask when somebody is made out in it and
-    its colours are the person's; with one of both it is left out. So are a face behind hair beside the body's front, a
-    side that may as well be a back, and a body's side or back in which only the label net sees somebody stand.
+    its colours are the person's; with one of both it is left out. So are a face behind hair beside the body's front,
+    and a body's side or back in which only the label net sees somebody stand. A side that may as well be a back is left
+    out but for its hair.
 
     Raises
     ------
@@ -52,11 +57,11 @@ def resolve_hidden(
             left_out[view] = HIDDEN
         else:
             raise error
-    side = views.get(ViewId.FACE_SIDE)
+    side, covered = views.get(ViewId.FACE_SIDE), dict[ViewId, Proposal]()
     if side is not None and len(views) > 1 and shows_mostly_hair(side, photos.photos[ViewId.FACE_SIDE]):
-        left_out[ViewId.FACE_SIDE] = HIDDEN
+        left_out[ViewId.FACE_SIDE], covered[ViewId.FACE_SIDE] = COVERED, side
     kept = {view: found[view] for view in photos.photos if view in found and view not in left_out}
-    return Proposals(kept, left_out)
+    return Proposals(kept, left_out, covered)
 
 
 def propose_in_figure(photo: Photo, figure: Figure) -> Proposal:

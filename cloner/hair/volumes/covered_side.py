@@ -65,18 +65,17 @@ def covered_side_views(
     list of HairView
         As it is and mirrored. Pixels near the hair's edge are left out.
     """
-    if ViewId.FACE_SIDE in joined.views or not {ViewId.FACE_SIDE, ViewId.BODY_SIDE} <= set(proposals.views):
+    near = proposals.views.get(ViewId.FACE_SIDE) or proposals.covered.get(ViewId.FACE_SIDE)
+    if near is None or ViewId.FACE_SIDE in joined.views or ViewId.BODY_SIDE not in joined.views:
         return []
-    if ViewId.BODY_SIDE not in joined.views:
-        return []
-    near, far = proposals.views[ViewId.FACE_SIDE], proposals.views[ViewId.BODY_SIDE]
-    laid = align_heads(near, far)
+    laid = align_heads(near, proposals.views[ViewId.BODY_SIDE])
     if laid is None:
         return []
     head_m = joined.vertices_m[generic.segment("head")].mean(axis=0)
     camera = level_camera(head_camera(joined.joints_m, joined.views[ViewId.BODY_SIDE]), laid, head_m, near, focal_px)
     posed = PosedView(ViewId.FACE_SIDE, camera, np.zeros_like(joined.views[ViewId.BODY_SIDE].rotations))
-    placed = hair_views(generic, replace(joined, views={ViewId.FACE_SIDE: posed}), proposals, silhouettes)
+    alone = Proposals({ViewId.FACE_SIDE: near})
+    placed = hair_views(generic, replace(joined, views={ViewId.FACE_SIDE: posed}), alone, silhouettes)
     least_px = m_from_mm(PLACED_MM) / camera.metres_per_pixel(head_m)
     return [replace(view, hair=view.hair & (view.hair_px > least_px)) for view in placed]
 

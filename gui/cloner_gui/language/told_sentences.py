@@ -252,6 +252,11 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
         ),
         QT_TRANSLATE_NOOP(
             "told",
+            "%1: hair hides the face in this photo, so it shows no more than the hair; "
+            "retake it with hair, hood or scarf away from the face",
+        ),
+        QT_TRANSLATE_NOOP(
+            "told",
             "%1: the clone would cover only %2 percent of the person in this photo, so it was left out; "
             "check that it shows the same person in the same clothes, straight from the side or from behind",
         ),

@@ -3205,6 +3205,10 @@
         <translation>%1: auf diesem Foto ist niemand zu erkennen, daher wurde es ausgelassen; nehmen Sie es noch einmal auf, ohne Haar, Kapuze oder Tuch vor dem Gesicht</translation>
     </message>
     <message>
+        <source>%1: hair hides the face in this photo, so it shows no more than the hair; retake it with hair, hood or scarf away from the face</source>
+        <translation>%1: auf diesem Foto verdeckt Haar das Gesicht, daher zeigt es nur das Haar; nehmen Sie es noch einmal auf, ohne Haar, Kapuze oder Tuch vor dem Gesicht</translation>
+    </message>
+    <message>
         <source>%1: the clone would cover only %2 percent of the person in this photo, so it was left out; check that it shows the same person in the same clothes, straight from the side or from behind</source>
         <translation>%1: der Klon würde nur %2 Prozent der Person auf diesem Foto decken, daher wurde es ausgelassen; prüfen Sie, ob es dieselbe Person in derselben Kleidung zeigt, gerade von der Seite oder von hinten</translation>
     </message>

@@ -3205,6 +3205,10 @@
         <translation>%1 : on ne distingue personne sur cette photo, elle a donc été écartée ; reprenez-la sans cheveux, capuche ni foulard devant le visage</translation>
     </message>
     <message>
+        <source>%1: hair hides the face in this photo, so it shows no more than the hair; retake it with hair, hood or scarf away from the face</source>
+        <translation>%1 : sur cette photo les cheveux cachent le visage, elle ne montre donc que les cheveux ; reprenez-la sans cheveux, capuche ni foulard devant le visage</translation>
+    </message>
+    <message>
         <source>%1: the clone would cover only %2 percent of the person in this photo, so it was left out; check that it shows the same person in the same clothes, straight from the side or from behind</source>
         <translation>%1 : le clone ne couvrirait que %2 pour cent de la personne sur cette photo, elle a donc été écartée ; vérifiez qu&apos;elle montre la même personne dans les mêmes vêtements, bien de côté ou de dos</translation>
     </message>

@@ -3204,6 +3204,10 @@
         <translation>%1: bu fotoğrafta kimse seçilemiyor, bu yüzden kullanılmadı; saç, kapüşon veya atkı yüzü örtmeden yeniden çekin</translation>
     </message>
     <message>
+        <source>%1: hair hides the face in this photo, so it shows no more than the hair; retake it with hair, hood or scarf away from the face</source>
+        <translation>%1: bu fotoğrafta saç yüzü örtüyor, bu yüzden yalnızca saçı gösteriyor; saç, kapüşon veya atkı yüzü örtmeden yeniden çekin</translation>
+    </message>
+    <message>
         <source>%1: the clone would cover only %2 percent of the person in this photo, so it was left out; check that it shows the same person in the same clothes, straight from the side or from behind</source>
         <translation>%1: klon bu fotoğraftaki kişinin yalnızca yüzde %2 kadarını örterdi, bu yüzden fotoğraf kullanılmadı; aynı kişiyi aynı giysilerle, tam yandan veya arkadan gösterdiğini denetleyin</translation>
     </message>

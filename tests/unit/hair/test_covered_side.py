@@ -86,3 +86,30 @@ def test_a_photo_that_a_profile_placed_or_that_is_missing_gives_no_covered_view(
     fit = painted.joined(person, {view: people.known_pose(k) for k, view in enumerate(views)})
     proposals = Proposals({view: studio.empty_proposal(view, np.ones((40, 30), bool)) for view in views})
     assert covered_side_views(load_generic(), fit, proposals, SilhouetteSet({}), 900.0) == []
+
+
+def test_a_photo_left_out_for_its_hair_gives_its_hair_where_the_head_is():
+    generic, person = load_generic(), people.known_person(3)
+    fit = painted.joined(person, {view: people.known_pose(k) for k, view in enumerate(painted.BODY)})
+    level_m = float(person.vertices_m[generic.segment("head"), 1].mean())
+    aside_deg = studio.AZIMUTH_DEG[ViewId.BODY_SIDE]
+    true = studio.camera(aside_deg, size_px=(700, 900), distance_m=1.3, height_m=level_m, aim_m=level_m - 0.03)
+    skin, scalp = people.skin_triangles(), generic.region("scalp")
+
+    def seen(view, vertices_m, camera):
+        mask, hair = (studio.silhouette(vertices_m, faces, camera) for faces in (skin, skin[scalp[skin].all(axis=1)]))
+        labels = np.where(hair, Label.HAIR, np.where(mask, Label.UPPER_CLOTHES, 0)).astype(np.uint8)
+        return replace(studio.empty_proposal(view, mask), labels=labels)
+
+    side = fit.views[ViewId.BODY_SIDE]
+    far = seen(ViewId.BODY_SIDE, person.posed(side.rotations)[0], side.camera)
+    near = seen(ViewId.FACE_SIDE, person.vertices_m, true)
+    proposals = Proposals({ViewId.BODY_SIDE: far}, {ViewId.FACE_SIDE: "a reason"}, {ViewId.FACE_SIDE: near})
+    straight, mirrored = covered_side_views(generic, fit, proposals, SilhouetteSet({}), true.focal_px)
+    head = person.vertices_m[generic.segment("head")]
+    away = np.linalg.norm(straight.posed.camera.project(head) - true.project(head), axis=1)
+    assert away.mean() * 1000.0 * true.metres_per_pixel(head.mean(axis=0)) < 12.0
+    shown = near.labels == Label.HAIR
+    assert straight.hair.sum() > 0.5 * shown.sum()
+    assert not (straight.hair & ~shown).any()
+    assert (straight.flip_m is None, mirrored.flip_m is None) == (True, False)

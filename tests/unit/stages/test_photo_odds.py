@@ -21,7 +21,7 @@ from cloner.stages import figures, photo_checks, points
 from cloner.stages.figures import NobodySeen, nobody_seen
 from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.stages.photo_checks import check_photos, front_odds, profile_odds, side_odds
-from cloner.stages.proposals import HIDDEN, propose, resolve_hidden
+from cloner.stages.proposals import COVERED, HIDDEN, propose, resolve_hidden
 from kit import studio
 from kit.visitors import photo
 
@@ -173,8 +173,10 @@ def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face
     hair = replace(proposal, view=FACE_SIDE, labels=bare)
     beside = PhotoSet({FACE: given, FACE_SIDE: replace(given, view=FACE_SIDE)})
     found = resolve_hidden(beside, {FACE: proposal, FACE_SIDE: hair}, {})
-    assert dict(found.left_out) == {FACE_SIDE: HIDDEN}
+    assert dict(found.left_out) == {FACE_SIDE: COVERED}
     assert set(found.views) == {FACE}
+    assert dict(found.covered) == {FACE_SIDE: hair}
+    assert dict(found.without({FACE: "a reason"}).covered) == {FACE_SIDE: hair}
     shoulder = bare.copy()
     shoulder[-40:][bare[-40:] == Label.HAIR] = Label.FACE_SKIN
     grey = replace(given, view=FACE_SIDE, rgb=np.full_like(given.rgb, 128))  # in which nobody sees a face
