@@ -50,6 +50,7 @@ def inside_hairline_mm(
         nearest = np.minimum(view.nearest_m, depth_picture(posed, triangles, camera))
         # NaN outside the picture: no vote
         before = camera.to_camera(posed)[:, 2] < depth_at(nearest, camera.project(posed)) + SEEN_SLACK_M
+        before &= view.speaks_for(vertices_m)
         weight = np.where(before & (cosine > SEEN_COSINE), (claim * cosine) ** SHARPNESS, 0.0)
         drive += weight * hairline_mm(view, vertices_m)
         total += weight

@@ -200,7 +200,7 @@ def visibility_weights(view: HairView, points_m: Array, normals: Array, tail: Ta
         for step in TAIL_STEPS_M:
             before = view.to_rest(posed + step * towards)
             seen &= tail.inside_mm(before) <= 0.0
-    return np.where(seen, cosine**2, 0.0)
+    return np.where(seen & view.speaks_for(points_m), cosine**2, 0.0)
 
 
 def covered_share(views: list[HairView], points_m: Array, normals: Array) -> Array:

@@ -39,7 +39,8 @@ HEAD_SHARE: Final = 0.42
 #: The outlines are compared from the hair's top down to this many of its widths, then fading out: shoulders differ.
 HEIGHT, FADE = 1.2, 0.2
 #: Weight of the hair's own outline beside the person's. Errors of 31 heads of generated people (of 30501 to 30923) in
-#: the photo, mean and median: 10.5 and 8.6 mm so, 12.2 and 10.4 at 0.3, 14.7 and 11.7 at 1, shoulders too.
+#: the photo, mean and median: 10.5 and 8.6 mm so, 11.4 and 9.0 at 0.3, 12.3 and 10.8 at 1, 14.7 and 11.7 with
+#: shoulders.
 HAIR_WEIGHT: Final = 0.1
 #: Starts of the search: factors of the scale that makes the hairs equally wide.
 SCALES: Final = (0.8, 0.9, 1.0, 1.1, 1.25)

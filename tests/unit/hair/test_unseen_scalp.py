@@ -81,7 +81,7 @@ def test_what_a_side_photo_shows_of_a_throat_is_the_hair_before_it_unless_it_is_
         return SimpleNamespace(
             posed=SimpleNamespace(view=view, camera=camera), nearest_m=np.full((5, 5), 9.0, np.float32),
             line_px=np.full((5, 5), line, np.float32), pixel_mm=lambda at: 1.0, to_view=lambda at: at,
-            turn=lambda at: at,
+            turn=lambda at: at, speaks_for=lambda at: np.ones(len(at), bool),
         )  # fmt: skip
 
     views = [
