@@ -61,18 +61,18 @@ def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array
     angles = ring_angles(HEM_COLUMNS)
     flat = directions(angles) * half_m
     places = centre_m + np.stack([flat[:, 0], np.zeros(HEM_COLUMNS), flat[:, 1]], axis=1)
-    told: list[list[tuple[float, float]]] = [[] for _ in angles]
+    observed: list[list[tuple[float, float]]] = [[] for _ in angles]
     for view in views:
-        nearer = view.depth(centre_m) - np.array([view.depth(place) for place in places])
+        nearer = view.depths(centre_m[None]) - view.depths(places)
         facing = nearer / max(float(np.abs(nearer).max()), 1e-9)
         for column in np.flatnonzero(facing > -HIDDEN):
             row = float(view.region.hem_row(view.across(places[column][None]))[0])
             weight = 1.0 + max(float(facing[column]), 0.0) ** 2  # the hem's outline counts, what faces the photo doubly
-            told[column].append((view.height_of(row, places[column]), weight))
-    known = np.array([column for column, rows in enumerate(told) if rows])
+            observed[column].append((view.height_of(row, places[column]), weight))
+    known = np.array([column for column, rows in enumerate(observed) if rows])
     heights = np.zeros(len(known))
     for k, column in enumerate(known):
-        rows_m, weights = np.array(told[column]).T
+        rows_m, weights = np.array(observed[column]).T
         heights[k] = np.average(rows_m, weights=weights)
     whole = np.interp(angles, angles[known], heights, period=2.0 * np.pi)
     smooth = gaussian_filter1d(whole, SMOOTH_COLUMNS, mode="wrap")

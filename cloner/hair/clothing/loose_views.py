@@ -96,14 +96,15 @@ class LooseView:
 
     def project(self, points_m: Array) -> Array:
         """Return photo pixels (N, 2) of rest points of the cloth."""
-        joints, weights = self.hanging.weights(points_m)
-        return self.posed.camera.project(linear_blend_skinning(points_m, self.transforms, joints, weights))
+        return self.posed.camera.project(self._posed(points_m))
 
-    def depth(self, point_m: Array) -> float:
-        """Return the distance of a rest point (3,) from the camera along its axis, metres."""
-        joints, weights = self.hanging.weights(point_m[None])
-        posed = linear_blend_skinning(point_m[None], self.transforms, joints, weights)
-        return float(self.posed.camera.to_camera(posed)[0, 2])
+    def _posed(self, points_m: Array) -> Array:
+        joints, weights = self.hanging.weights(points_m)
+        return linear_blend_skinning(points_m, self.transforms, joints, weights)
+
+    def depths(self, points_m: Array) -> Array:
+        """Return the distances (N,) of rest points (N, 3) from the camera along its axis, metres."""
+        return self.posed.camera.to_camera(self._posed(points_m))[:, 2]
 
     def across(self, points_m: Array) -> Array:
         """Return the position (N,) of rest points between the cloth's edges: -1 at the first, 1 at the last."""

@@ -175,9 +175,8 @@ class HairView:
         camera = self.posed.camera
         pixel = camera.project(posed)
         depth = camera.to_camera(posed)[:, 2]
-        scale = self.pixel_mm(posed)
         before = depth < depth_at(self.nearest_m, pixel)  # NaN outside the picture: not judged
-        return sample(self.hair_px, pixel)[:, 0] * np.float32(scale), before & self.speaks_for(points_m)
+        return self._inside_mm(posed, pixel), before & self.speaks_for(points_m)
 
     def speaks_for(self, points_m: Array) -> NDArray[np.bool_]:
         """Return whether (N,) the photo may say that there is no hair at rest points.
@@ -193,8 +192,10 @@ class HairView:
     def inside_mm(self, points_m: Array) -> NDArray[np.float32]:
         """Return how far (N,) rest points lie inside the hair's outline in the photo, mm."""
         posed = self.to_hair(points_m)
-        depth_px = sample(self.hair_px, self.posed.camera.project(posed))[:, 0]
-        return np.asarray(depth_px * np.float32(self.pixel_mm(posed)))
+        return self._inside_mm(posed, self.posed.camera.project(posed))
+
+    def _inside_mm(self, posed_m: Array, pixel: Array) -> NDArray[np.float32]:
+        return np.asarray(sample(self.hair_px, pixel)[:, 0] * np.float32(self.pixel_mm(posed_m)))
 
 
 def hair_views(

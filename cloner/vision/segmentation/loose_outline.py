@@ -26,7 +26,7 @@ ARC_SHARE = 0.045  # a level hem 0.25 m wide looks this high from a camera 0.7 m
 HIGHEST_ARCH = 1.5  # a hem rises between its ends by so many arcs at most
 STEEPEST = 0.8  # a hem's slope in the photo; the sides of legs are steeper
 END_TRUST = 0.05  # an edge's end counts like this share of the hem's columns
-LEAST_TOLD = 0.1  # of the hem's columns
+LEAST_LEGLESS = 0.1  # of the hem's columns
 BENT = 0.02  # resistance to arches: one arc costs as much as an error of a seventh of one
 LOOSE_SHARE = 0.004  # hems are ragged by this
 END_SHARE = 0.0015  # an edge ends where it falls behind its widest place by this
@@ -218,12 +218,12 @@ def hem_rows(mask: Bools, edges_px: Array, ends_px: Array, figure_px: float) -> 
         return level
     length = np.argmin(strip, axis=0).astype(np.float64)  # rows filled from the strip's top; 0 where all are
     steep = np.abs(np.gradient(median_filter(length, 3))) > STEEPEST
-    told = (length > 0.0) & ~steep
+    legless = (length > 0.0) & ~steep
     across = 2.0 * (columns - low) / max(high - low, 1.0) - 1.0
-    row = np.concatenate([first + length[told] - 1.0, ends_px])
-    place = np.concatenate([across[told], [-1.0, 1.0]])
-    own = np.concatenate([np.ones(int(told.sum())), np.full(2, END_TRUST * columns.size)])
-    if told.mean() < LEAST_TOLD:
+    row = np.concatenate([first + length[legless] - 1.0, ends_px])
+    place = np.concatenate([across[legless], [-1.0, 1.0]])
+    own = np.concatenate([np.ones(int(legless.sum())), np.full(2, END_TRUST * columns.size)])
+    if legless.mean() < LEAST_LEGLESS:
         return level
     basis = _hem_basis(place)
     stiff = np.diag([0.0, 0.0, *([BENT * columns.size / arc**2] * 3)])
