@@ -22,11 +22,13 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.charts.iris import sclera_to_skin, skin_around_eyes
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.labels.glasses import wears_glasses
 from cloner.memory import release_free_memory
 from cloner.paint.composing.baked import AtlasInProgress, unpainted_atlas
 from cloner.paint.composing.compose import bake, blend_levels, blend_shares
 from cloner.paint.composing.shell_light import match_light_of_body
 from cloner.paint.composing.tiles import Tile, cut_tiles
+from cloner.paint.details.below_glasses import remove_glasses
 from cloner.paint.details.hands import finish_hands, finish_soles
 from cloner.paint.details.lid_skin import clean_lids
 from cloner.paint.details.nostrils import darken_nostrils
@@ -102,6 +104,9 @@ def run(
     """
     params = params or Params()
     generic, photos = load_generic(), denoised(photos)
+    if wears_glasses(proposals):
+        glasses = next((shell for shell in shells if shell.kind == "glasses"), None)
+        photos, proposals = remove_glasses(generic, joined, photos, proposals, glasses)
     hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth", "beard"))  # lenses are clear
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
     baked, surfaces, worn_rgb, residuals = paint_atlas(

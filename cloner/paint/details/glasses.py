@@ -19,7 +19,17 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import sweep_profile
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import glasses_frame
-from cloner.paint.details.frame_shape import SIDES, FrameShape, fit_frame, frame_reader, has_dark_lenses, picture_px
+from cloner.paint.details.frame_shape import (
+    SIDES,
+    FrameShape,
+    fit_frame,
+    frame_reader,
+    has_dark_lenses,
+    outward_normals,
+    picture_px,
+    usual_rims_m,
+)
+from cloner.paint.details.glasses_texture import paint_glasses
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -55,10 +65,8 @@ BRIDGE_M: Final = (0.001, 0.002)
 TEMPLE_M, TEMPLE_WIDE_M, OFF_HEAD_M, HOOK_M = (0.001, 0.0025), 0.0009, 0.0015, (0.024, 0.016)
 #: Skin this near, seen from aside, lies beside a temple.
 BESIDE_M: Final = 0.006
-#: Points of a rim, of a bridge, of a temple.
-POINTS: Final = (48, 7, 16)
-#: Texels of the picture: a band each for two rims, bridge, two temples and two lenses.
-BANDS, BAND_PX, WIDE_PX = 7, 8, 64
+#: Points of a bridge and of a temple.
+BRIDGE_POINTS, TEMPLE_POINTS = 7, 16
 
 
 def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal: Proposal) -> Shell | None:
@@ -80,41 +88,48 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     labelled = glasses_frame(proposal)
     if not labelled.any():
         return None
-    read = _plane_reader(joined, view, posed_from_rest)
-    frame, colours = read(labelled.astype(np.float32))[..., 0], read(photo.rgb)
     eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
-    eyes_mm = mm_from_m(1.0) * (eyes - joined.features_m["nasion"])[:, :2]
-    dark = has_dark_lenses(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm)
+    eyes_m = (eyes - joined.features_m["nasion"])[:, :2]
+    before_m = BEFORE_M + _clearance_m(generic, joined, _frame_points(joined, usual_rims_m(eyes_m), BEFORE_M))
+    read = _plane_reader(joined, view, posed_from_rest, before_m)
+    frame, colours = read(labelled.astype(np.float32))[..., 0], read(photo.rgb)
+    dark = has_dark_lenses(frame_reader(frame, CORNER_MM, PIXEL_MM), mm_from_m(1.0) * eyes_m)
+    by_colour = frame
     if not dark:
-        frame = _with_colours(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
-    shape = fit_frame(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm, dark=dark)
+        by_colour = _frame_by_colour(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
+        frame = LABELLED * frame + (1.0 - LABELLED) * by_colour
+    readers = (frame_reader(picture, CORNER_MM, PIXEL_MM) for picture in (frame, by_colour))
+    shape = fit_frame(*readers, mm_from_m(1.0) * eyes_m, dark=dark)
     if shape is None:
         return None
-    parts = _parts(generic, joined, shape)
-    for band, (_, uv, _) in enumerate(parts):
-        uv[:] = uv * (1.0, (BAND_PX - 2.0) / (BANDS * BAND_PX)) + (0.0, (band * BAND_PX + 1.0) / (BANDS * BAND_PX))
-    vertices, uv = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
+
+    def at(points_mm: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        place = picture_px(points_mm, CORNER_MM, PIXEL_MM)
+        return sample(colours, place), sample(frame, place)[:, 0]
+
+    picture, parts = paint_glasses(shape, at), _parts(generic, joined, shape, before_m)
+    vertices = np.concatenate([part[0] for part in parts])
+    uv = np.concatenate([picture.uv(part[1], k) for k, part in enumerate(parts)])
     starts = np.cumsum([0] + [len(part[0]) for part in parts])
     triangles = np.concatenate([part[2] + start for part, start in zip(parts, starts, strict=False)])
     joints, weights = np.full((len(vertices), 4), head, np.int32), np.tile([1.0, 0.0, 0.0, 0.0], (len(vertices), 1))
-    rgba = _texture(shape, frame, colours)
-    return Shell(vertices, triangles.astype(np.int32), uv, joints, weights, rgba, "glasses")
+    return Shell(vertices, triangles.astype(np.int32), uv, joints, weights, picture.rgba, "glasses")
 
 
-def _frame_points(joined: Joined, flat_m: Array) -> Array:
+def _frame_points(joined: Joined, flat_m: Array, before_m: float) -> Array:
     """Return rest points (..., 3) for points (..., 2) of the frame's plane, which bends back on both sides."""
     nasion = joined.features_m["nasion"]
-    depth = BEFORE_M - flat_m[..., 0] ** 2 / (2.0 * BEND_M)
+    depth = before_m - flat_m[..., 0] ** 2 / (2.0 * BEND_M)
     return np.asarray(np.concatenate([flat_m, depth[..., None]], axis=-1) + nasion)
 
 
 def _plane_reader(
-    joined: Joined, view: PosedView, posed_from_rest: Array
+    joined: Joined, view: PosedView, posed_from_rest: Array, before_m: float
 ) -> Callable[[NDArray[Any]], NDArray[np.float32]]:
     """Return a sampler of photo pictures (H, W, ...) at points (h, w, ...) of the frame's plane."""
     across = np.arange(-REACH_MM[0], REACH_MM[0], PIXEL_MM)
     down = np.arange(REACH_MM[1], -REACH_MM[2], -PIXEL_MM)
-    rest = _frame_points(joined, m_from_mm(1.0) * np.stack(np.meshgrid(across, down), axis=-1))
+    rest = _frame_points(joined, m_from_mm(1.0) * np.stack(np.meshgrid(across, down), axis=-1), before_m)
     pixel = view.camera.project(rest.reshape(-1, 3) @ posed_from_rest[:3, :3].T + posed_from_rest[:3, 3])
 
     def read(picture: NDArray[Any]) -> NDArray[np.float32]:
@@ -124,10 +139,10 @@ def _plane_reader(
     return read
 
 
-def _with_colours(
+def _frame_by_colour(
     frame: NDArray[np.float32], colours: NDArray[np.float32], open_skin: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """Return the frame's probability at points (h, w), from labels and colours together.
+    """Return the frame's probability at points (h, w), from colours; from labels where they show too little of it.
 
     Labels lose thin frames, and dark skin or hair has a frame's colour.
 
@@ -148,7 +163,7 @@ def _with_colours(
     own, skin = np.median(lab[core], axis=0), np.median(lab[around], axis=0)
     lean = np.linalg.norm(lab - skin, axis=2) - np.linalg.norm(lab - own, axis=2)
     frame_share = np.clip(0.5 + 0.5 * lean / max(float(np.linalg.norm(own - skin)), 1.0), 0.0, 1.0)
-    return np.asarray(LABELLED * frame + (1.0 - LABELLED) * open_skin * frame_share, np.float32)
+    return np.asarray(open_skin * frame_share, np.float32)
 
 
 def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
@@ -162,17 +177,15 @@ def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
     return np.asarray(shows(proposal.labels, Label.FACE_SKIN, Label.BODY_SKIN, Label.ACCESSORY) & (eyes == 0))
 
 
-def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Part]:
+def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape, before_m: float) -> list[Part]:
     """Return both rims, the bridge, both temples, and both lenses where they are dark."""
     thick = 0.5 * shape.thick_m
     deep = max(DEEP_SHARE * thick, LEAST_DEEP_M)
-    closed = np.concatenate([shape.rim_m, shape.rim_m[:1]])
-    length = arc_lengths(closed)
-    rim = places_along(closed, length, np.linspace(0.0, length[-1], POINTS[0], endpoint=False))
+    rim, normals = shape.rim_m, outward_normals(shape.rim_m)
     flat = [rim * (sign, 1.0) + middle for sign, middle in zip(SIDES, shape.middles_m, strict=True)]
-    forward = _clearance_m(generic, joined, np.concatenate(flat), deep)
-    lifted = [_frame_points(joined, one) + forward for one in flat]
-    outward = [np.column_stack([rim * (sign, 1.0), np.zeros(len(rim))]) for sign in SIDES]
+    before_m += _clearance_m(generic, joined, _frame_points(joined, np.concatenate(flat), before_m - deep))
+    lifted = [_frame_points(joined, one, before_m) for one in flat]
+    outward = [np.column_stack([normals * (sign, 1.0), np.zeros(len(rim))]) for sign in SIDES]
     rims = [
         sweep_profile(path, way, np.array([thick, deep]), closed=True)
         for path, way in zip(lifted, outward, strict=True)
@@ -187,7 +200,7 @@ def _parts(generic: GenericHuman, joined: Joined, shape: FrameShape) -> list[Par
         zip(SIDES, shape.middles_m, shape.hinges_m, lifted, strict=True)
     ):
         row = _nearest_height(rim, float(hinge[1] - middle[1]), outer=True)
-        way = _temple_path(generic, joined, lens[row], _frame_points(joined, hinge) + forward, "LR"[side], sign)
+        way = _temple_path(generic, joined, lens[row], _frame_points(joined, hinge, before_m), "LR"[side], sign)
         tall = np.clip(thick, *TEMPLE_M)
         parts.append(sweep_profile(way, _upward_directions(way), np.array([tall, TEMPLE_WIDE_M]), closed=False))
     if shape.dark:
@@ -202,7 +215,7 @@ def _upward_directions(path_m: Array) -> Array:
 
 def _bridge_path(left_m: Array, right_m: Array) -> Array:
     """Return points (K, 3) from one rim to the other, arched over the nose."""
-    share = np.linspace(0.0, 1.0, POINTS[1])[:, None]
+    share = np.linspace(0.0, 1.0, BRIDGE_POINTS)[:, None]
     return np.asarray(left_m + share * (right_m - left_m) + (1.0 - (2.0 * share - 1.0) ** 2) * (0.0, *BRIDGE_M))
 
 
@@ -212,14 +225,12 @@ def _nearest_height(rim_m: Array, height_m: float, *, outer: bool) -> int:
     return int(np.where(side, np.abs(rim_m[:, 1] - height_m), np.inf).argmin())
 
 
-def _clearance_m(generic: GenericHuman, joined: Joined, flat_m: Array, deep_m: float) -> Array:
-    """Return the offset (3,) of the frame forward so that no part of it intersects the face."""
+def _clearance_m(generic: GenericHuman, joined: Joined, points_m: Array) -> float:
+    """Return how far points (N, 3) must move forward so that none of them is in the face."""
     face = joined.vertices_m[generic.region("face")]
-    points = _frame_points(joined, flat_m)
-    near = cKDTree(face[:, :2]).query_ball_point(points[:, :2], BESIDE_M)
+    near = cKDTree(face[:, :2]).query_ball_point(points_m[:, :2], BESIDE_M)
     skin = np.array([face[rows, 2].max() if rows else -np.inf for rows in near])
-    inside = float((skin + OFF_SKIN_M + deep_m - points[:, 2]).max())
-    return np.array([0.0, 0.0, max(inside, 0.0)])
+    return max(float((skin + OFF_SKIN_M - points_m[:, 2]).max()), 0.0)
 
 
 def _temple_path(generic: GenericHuman, joined: Joined, rim_m: Array, hinge_m: Array, side: str, sign: float) -> Array:
@@ -233,7 +244,8 @@ def _temple_path(generic: GenericHuman, joined: Joined, rim_m: Array, hinge_m: A
     end = root - (0.0, HOOK_M[0], HOOK_M[1])
     corners = np.stack([rim_m, hinge_m, root, root - (0.0, 0.3 * HOOK_M[0], 0.7 * HOOK_M[1]), end])
     length = arc_lengths(corners)
-    path = np.concatenate([corners[:1], places_along(corners, length, np.linspace(length[1], length[-1], POINTS[2]))])
+    wanted = np.linspace(length[1], length[-1], TEMPLE_POINTS)
+    path = np.concatenate([corners[:1], places_along(corners, length, wanted)])
     head = joined.vertices_m[generic.skin & generic.segment("head") & ~ear]
     head = head[sign * head[:, 0] > 0.0]
     near = cKDTree(head[:, 1:]).query_ball_point(path[2:, 1:], BESIDE_M)
@@ -252,25 +264,3 @@ def _lens_mesh(rim_m: Array) -> Part:
     triangles = np.column_stack([rows, after, np.full(count, count)])
     flip = np.cross(rim_m[after] - rim_m[rows], points[-1] - rim_m[rows])[:, 2].sum() < 0.0
     return points, uv, triangles[:, ::-1] if flip else triangles
-
-
-def _texture(shape: FrameShape, frame: NDArray[np.float32], colours: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Return the frame's colour (S, T, 4), with that of dark lenses below."""
-
-    def median(flat_m: Array) -> NDArray[np.float32]:
-        place = picture_px(mm_from_m(1.0) * flat_m, CORNER_MM, PIXEL_MM)
-        on_frame = np.nan_to_num(sample(frame, place)[:, 0]) > 0.5
-        shown = sample(colours, place[on_frame] if on_frame.any() else place)
-        return np.asarray(np.nanmedian(shown, axis=0), np.float32)
-
-    def places(shares: NDArray[np.float64]) -> Array:
-        rims = [shape.rim_m * (sign, 1.0) for sign in SIDES]
-        return np.concatenate([
-            share * rim + middle for rim, middle in zip(rims, shape.middles_m, strict=True) for share in shares
-        ])  # fmt: skip
-
-    rgba = np.full((BANDS * BAND_PX, WIDE_PX, 4), 255, np.uint8)
-    rgba[..., :3] = median(places(np.ones(1)))
-    if shape.dark:
-        rgba[5 * BAND_PX :, :, :3] = median(places(np.array([0.3, 0.5, 0.7])))
-    return rgba

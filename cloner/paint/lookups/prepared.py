@@ -1,17 +1,14 @@
-"""Photos prepared for painting: the person without background, glasses and other people's colours."""
+"""Photos prepared for painting: the person without background and other people's colours."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.seen_points import combined_pose
-from cloner.labels.glasses import glasses_frame
-from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -21,7 +18,6 @@ from cloner.vision.retouching.skin_colour import SkinColour
 
 PERSON_LEVEL = 127  # a net's probability above one half
 _FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
-FRAME_RIM_SHARE = 0.012  # of a pair of glasses, 1.6 mm: the label ends inside the frame and its shade
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,22 +80,3 @@ def matted_photo(
         combined_pose(proposal) if view is ViewId.BODY_SIDE else None,
         skin,
     )
-
-
-def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray[np.uint8], Proposal]:
-    """Return a photo (H, W, 3) and its proposal with the spectacle frame replaced by the skin around it.
-
-    Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
-    2004); the frame is drawn on a shell of its own.
-    """
-    frame = glasses_frame(proposal)
-    rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
-    if not rows.size:
-        return rgb, proposal
-    around = max(2, int(FRAME_RIM_SHARE * np.ptp(columns)))
-    wide = cv2.dilate(frame.astype(np.uint8), np.ones((2 * around + 1,) * 2, np.uint8))
-    reach = 4 * around
-    box = np.s_[max(rows[0] - reach, 0) : rows[-1] + reach, max(columns[0] - reach, 0) : columns[-1] + reach]
-    filled = rgb.copy()
-    filled[box] = cv2.inpaint(np.ascontiguousarray(rgb[box]), wide[box], 2.0 * around, cv2.INPAINT_TELEA)
-    return filled, replace(proposal, labels=np.where(frame, np.uint8(Label.FACE_SKIN), proposal.labels))

@@ -15,10 +15,9 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.cameras.visibility import Visibility, depth_at
-from cloner.labels.glasses import wears_glasses
 from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import PosedPerson, pose_person
-from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, matted_photo, person_mask, person_skin, without_glasses
+from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, matted_photo, person_mask, person_skin
 from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
@@ -91,7 +90,6 @@ def gather_sources(
     residuals: list[Residual] = []
     taken = frozenset(view for view in joined.views if view in photos.photos)
     skins = person_skin(photos, proposals, silhouettes)
-    glasses = wears_glasses(proposals)
 
     def prepared(view: ViewId) -> tuple[Source, float] | None:
         posed_person = pose_person(generic, joined, shells, joined.views[view])
@@ -100,8 +98,6 @@ def gather_sources(
             mask = remove_outside_body(mask, posed_person.shown, BESIDE_M / posed_person.visibility.metres_per_pixel)
             mask = own.without_room(photos.photos[view].rgb, mask)
         photo, proposal = photos.photos[view].rgb, proposals.views[view]
-        if glasses:
-            photo, proposal = without_glasses(photo, proposal)
         matted = matted_photo(view, photo, proposal, mask, limits, skins.get(view))
         if not (matted.inside_px > 0.0).any():
             return None
