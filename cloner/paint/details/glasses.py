@@ -56,6 +56,8 @@ LABELLED: Final = 0.4
 LASHES: Final = 0.033
 #: Skin is told from frame by the colours this far around it, mm.
 SKIN_MM: Final = (3.0, 8.0)
+#: As wide as a gleam along a frame, 2.8 mm.
+GLEAM: Final = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (7, 7))
 #: Depth of a rim against its height, and the least half of it.
 DEEP_SHARE, LEAST_DEEP_M = 0.7, 0.0008
 #: Rise of a bridge's middle, and how far before the rims it stands.
@@ -163,7 +165,9 @@ def _frame_by_colour(
     own, skin = np.median(lab[core], axis=0), np.median(lab[around], axis=0)
     lean = np.linalg.norm(lab - skin, axis=2) - np.linalg.norm(lab - own, axis=2)
     frame_share = np.clip(0.5 + 0.5 * lean / max(float(np.linalg.norm(own - skin)), 1.0), 0.0, 1.0)
-    return np.asarray(open_skin * frame_share, np.float32)
+    # a gleam along the frame is neither's colour
+    whole = cv2.morphologyEx(frame_share.astype(np.float32), cv2.MORPH_CLOSE, GLEAM)
+    return np.asarray(open_skin * whole, np.float32)
 
 
 def _without_eyes(proposal: Proposal) -> NDArray[np.bool_]:
