@@ -19,17 +19,9 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.meshes.sweeps import sweep_profile
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.labels.glasses import glasses_frame
-from cloner.paint.details.frame_shape import (
-    SIDES,
-    FrameShape,
-    fit_frame,
-    frame_reader,
-    has_dark_lenses,
-    outward_normals,
-    picture_px,
-    usual_rims_m,
-)
+from cloner.paint.details.frame_shape import FrameShape, fit_frame, frame_reader, has_dark_lenses, picture_px
 from cloner.paint.details.glasses_texture import paint_glasses
+from cloner.paint.details.rims import SIDES, outward_normals, usual_rims_m
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -92,24 +84,25 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
         return None
     eyes = np.stack([joined.joints_m[generic.joint(f"{side}_eyeball_joint")] for side in "lr"])
     eyes_m = (eyes - joined.features_m["nasion"])[:, :2]
+    eyes_mm = mm_from_m(1.0) * eyes_m
     before_m = BEFORE_M + _clearance_m(generic, joined, _frame_points(joined, usual_rims_m(eyes_m), BEFORE_M))
     read = _plane_reader(joined, view, posed_from_rest, before_m)
     frame, colours = read(labelled.astype(np.float32))[..., 0], read(photo.rgb)
-    dark = has_dark_lenses(frame_reader(frame, CORNER_MM, PIXEL_MM), mm_from_m(1.0) * eyes_m)
+    dark = has_dark_lenses(frame_reader(frame, CORNER_MM, PIXEL_MM), eyes_mm)
     by_colour = frame
     if not dark:
         by_colour = _frame_by_colour(frame, colours, read(_without_eyes(proposal).astype(np.float32))[..., 0])
         frame = LABELLED * frame + (1.0 - LABELLED) * by_colour
-    readers = (frame_reader(picture, CORNER_MM, PIXEL_MM) for picture in (frame, by_colour))
-    shape = fit_frame(*readers, mm_from_m(1.0) * eyes_m, dark=dark)
+    at, coloured = (frame_reader(picture, CORNER_MM, PIXEL_MM) for picture in (frame, by_colour))
+    shape = fit_frame(at, coloured, eyes_mm, dark=dark)
     if shape is None:
         return None
 
-    def at(points_mm: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    def shown(points_mm: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         place = picture_px(points_mm, CORNER_MM, PIXEL_MM)
         return sample(colours, place), sample(frame, place)[:, 0]
 
-    picture, parts = paint_glasses(shape, at), _parts(generic, joined, shape, before_m)
+    picture, parts = paint_glasses(shape, shown), _parts(generic, joined, shape, before_m)
     vertices = np.concatenate([part[0] for part in parts])
     uv = np.concatenate([picture.uv(part[1], k) for k, part in enumerate(parts)])
     starts = np.cumsum([0] + [len(part[0]) for part in parts])

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from cloner.frames import mm_from_m
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
-from cloner.paint.details.frame_shape import SIDES, FrameShape, outward_normals
+from cloner.paint.details.frame_shape import FrameShape
+from cloner.paint.details.rims import SIDES, outward_normals
 from cloner.records.arrays import Array
 
 #: Texels around a rod and along it, and of a lens' side.
