@@ -19,6 +19,8 @@ BELOW_MM = 1.5  # the scalp lies this far below the shell
 #: How deep skin is tucked at most, mm, and neighbours that tell how deep (taste).
 DEEPEST_MM = 25.0
 NEAR_M = 0.022  # shell points farther off say nothing about a vertex
+#: The same of a face, whose mesh is finer and whose skin was seen.
+FACE_DEEPEST_MM, FACE_NEAR_M = 8.0, 0.008
 SAME_WAY = 0.75  # nor do the hairline's walls, which face along the skin
 NEIGHBOURS = 6
 EAR_RINGS = 2  # rings of skin around an ear that hold the skin laid over its place
@@ -28,32 +30,50 @@ OPAQUE = 128  # of a shell's alpha: the film beyond the hairline covers nothing
 
 
 def tuck_scalp(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ...]) -> Array:
-    """Return the vertices (V, 3) with the scalp pulled in where it would intersect a shell.
+    """Return the vertices (V, 3) with scalp, forehead and temples pulled in where they would intersect a shell.
 
     The bare skull under hair is a guess from the stature; the hair's outline was seen. Ears under hair are laid flat.
+    The face gives way only to what is opaque: hair fades out over it.
     """
     hair = tuple(shell for shell in shells if shell.kind == "hair")
     vertices_m = press_ears_to_head(generic, vertices_m, ears_below(generic, vertices_m, hair))
-    triangles = body_triangles()
-    rows = np.flatnonzero(generic.region("scalp"))
-    if not shells or rows.size == 0:
+    scalp = generic.region("scalp")
+    if not shells or not scalp.any():
         return vertices_m
-    normals = vertex_normals(vertices_m, triangles)
+    normals, graph = vertex_normals(vertices_m, body_triangles()), surface_graph(vertices_m, body_triangles())
     points = np.concatenate([shell.vertices_m for shell in shells])
     facing = np.concatenate([vertex_normals(shell.vertices_m, shell.triangles) for shell in shells])
-    gap, near = cKDTree(points).query(vertices_m[rows], k=NEIGHBOURS, distance_upper_bound=NEAR_M)
+    opaque = np.concatenate([(shell.kind == "hair") & _opaque_vertices(shell) for shell in shells])
+    depth = np.zeros(len(vertices_m))
+    for skin, shown, reach_m, deepest_mm in (
+        (scalp, np.ones_like(opaque), NEAR_M, DEEPEST_MM),
+        (_skin_of_face(generic), opaque, FACE_NEAR_M, FACE_DEEPEST_MM),
+    ):
+        own, rows = np.zeros(len(vertices_m)), np.flatnonzero(skin)
+        pull = _pull_m(vertices_m[rows], normals[rows], points[shown], facing[shown], reach_m)
+        own[rows] = np.clip(pull, -m_from_mm(deepest_mm), 0.0)
+        depth[rows] = np.minimum(own, graph.smooth(own[:, None], 1)[:, 0])[rows]
+    return np.asarray(vertices_m + normals * depth[:, None])
+
+
+def _skin_of_face(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return the face (V,) without its openings."""
+    openings = generic.region("eyelids") | generic.region("lips") | generic.region("mouth_interior")
+    return np.asarray(generic.region("face") & ~openings)
+
+
+def _pull_m(skin_m: Array, normals: Array, points_m: Array, facing: Array, reach_m: float) -> Array:
+    """Return by how much (R,) skin must move outwards, mostly inwards, to lie below a shell's points near it."""
+    if not len(points_m):
+        return np.zeros(len(skin_m))
+    gap, near = cKDTree(points_m).query(skin_m, k=NEIGHBOURS, distance_upper_bound=reach_m)
     found = np.isfinite(gap)
     near = np.where(found, near, 0)
-    found &= np.einsum("nkc,nc->nk", facing[near], normals[rows]) > SAME_WAY
-    along = np.einsum("nkc,nc->nk", points[near] - vertices_m[rows, None], normals[rows])
+    found &= np.einsum("nkc,nc->nk", facing[near], normals) > SAME_WAY
+    along = np.einsum("nkc,nc->nk", points_m[near] - skin_m[:, None], normals)
     # The lowest of the points nearby: a tail's root over the cap must not hide that the cap is below.
     offset = np.where(found, along, np.inf).min(axis=1)
-    pull = np.where(found.any(axis=1), offset - m_from_mm(BELOW_MM), 0.0)
-    depth = np.zeros(len(vertices_m))
-    depth[rows] = np.clip(pull, -m_from_mm(DEEPEST_MM), 0.0)
-    smooth = surface_graph(vertices_m, triangles).smooth(depth[:, None], 1)[:, 0]
-    depth[rows] = np.minimum(depth[rows], smooth[rows])
-    return np.asarray(vertices_m + normals * depth[:, None])
+    return np.where(found.any(axis=1), offset - m_from_mm(BELOW_MM), 0.0)
 
 
 def ear_masks(generic: GenericHuman) -> tuple[NDArray[np.bool_], ...]:
