@@ -21,12 +21,13 @@ from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.mesh import extract_mesh
 from cloner.hair.shells.shell import dress_shell, visible_part
 from cloner.hair.volumes.cap import surface_mm
+from cloner.hair.volumes.grid import CLIP_MM, voxels
 from cloner.hair.volumes.hanging import INNER_MM
 from cloner.hair.volumes.pictures import FAR_MM, distances_px
 from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.settled import settle_shell
 from cloner.hair.volumes.views import SIDES, HairView
-from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, SMOOTH_VOXELS, voxels
+from cloner.hair.volumes.volume import FILM_MM, SMOOTH_VOXELS
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell

@@ -29,11 +29,12 @@ from cloner.hair.shells.edge import FADE_MM
 from cloner.hair.shells.mesh import extract_mesh, lowest_hair_m
 from cloner.hair.shells.shell import dress_shell, visible_part
 from cloner.hair.volumes.cap import Scalp, measure_scalp, surface_mm
+from cloner.hair.volumes.grid import CLIP_MM, VOXEL_M, voxels
 from cloner.hair.volumes.hanging import DRAPE_MM, INNER_MM
 from cloner.hair.volumes.pictures import FAR_MM, distances_px
 from cloner.hair.volumes.settled import settle_shell
 from cloner.hair.volumes.views import HairSkinning, HairView
-from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, SMOOTH_VOXELS, VOXEL_M, cap_mm, near_skin, voxels
+from cloner.hair.volumes.volume import FILM_MM, SMOOTH_VOXELS, cap_mm, near_skin
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
+from cloner.hair.volumes.grid import VOXEL_M
 from cloner.hair.volumes.views import HairView
-from cloner.hair.volumes.volume import VOXEL_M
 from cloner.records.arrays import Array
 
 LOOK_PX = 4  # of the lowest hair, a margin is added

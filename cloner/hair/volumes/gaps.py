@@ -28,7 +28,6 @@ def close_gaps(
     skin_mm: NDArray[np.float32],
     points_m: Array,
     rows: NDArray[np.int64],
-    shape: tuple[int, ...],
     free: NDArray[np.bool_],
 ) -> NDArray[np.float32]:
     """Return the hair's field (N,), mm, with gaps between it and the skin filled.
@@ -36,21 +35,21 @@ def close_gaps(
     Parameters
     ----------
     views : list of HairView
-    found_mm, skin_mm : (N,) float32
-        The field so far, positive inside, and the distance to the whole body's skin, positive outside.
+    found_mm : (N,) float32
+        The field so far, positive inside.
+    skin_mm : (X, Y, Z) float32
+        The distance to the whole body's skin, positive outside.
     points_m : (N, 3) at rest
-    rows : (N,) their places in a grid
-    shape : of that grid
+    rows : (N,) their places in that grid
     free : (N,) bool
         Around a tail, which swings: it lies on nothing.
     """
-    hair, solid = (np.zeros(int(np.prod(shape)), bool) for _ in range(2))
-    hair[rows] = found_mm > 0.0
-    solid[rows] = (found_mm > 0.0) | (skin_mm <= 0.0)
-    reached = binary_dilation(solid.reshape(shape), iterations=REACH)
+    hair = np.zeros(skin_mm.shape, bool)
+    hair.ravel()[rows] = found_mm > 0.0
+    reached = binary_dilation(hair | (skin_mm <= 0.0), iterations=REACH)
     closed = binary_erosion(reached, iterations=REACH, border_value=1).ravel()[rows]
-    near = binary_dilation(hair.reshape(shape), iterations=2 * REACH).ravel()[rows]
-    asked = np.flatnonzero(closed & near & ~free & (found_mm <= 0.0) & (skin_mm > 0.0))
+    near = binary_dilation(hair, iterations=2 * REACH).ravel()[rows]
+    asked = np.flatnonzero(closed & near & ~free & (found_mm <= 0.0) & (skin_mm.ravel()[rows] > 0.0))
     shown = np.zeros(len(asked), np.bool_)
     for view in views:
         inside, judged = view.evidence(points_m[asked])

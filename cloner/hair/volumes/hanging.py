@@ -13,6 +13,7 @@ from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
+LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
 DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
 DRAPE_DOUBT_MM = 4.0  # without it a ponytail had a skirt of 5 cm, a cap a peak of hair behind
 BESIDE_MM = 35.0  # taste: and so far before and behind the head's middle where it stands off beside head and neck

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_dilation, gaussian_filter, label
+from scipy.ndimage import gaussian_filter
 from scipy.spatial import cKDTree
 
 from cloner.frames import m_from_mm, mm_from_m
@@ -14,28 +14,23 @@ from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, VOTE_MM, Scalp, hairline_mm, label_votes, surface_mm
 from cloner.hair.volumes.gaps import close_gaps
-from cloner.hair.volumes.hanging import INNER_MM, default_depth_m, default_width_m, hanging_mm, has_side_view
+from cloner.hair.volumes.grid import CLIP_MM, attached_to, candidate_points, near_hair
+from cloner.hair.volumes.hanging import INNER_MM, LYING_MM, default_depth_m, default_width_m, hanging_mm, has_side_view
 from cloner.hair.volumes.pictures import FAR_MM
-from cloner.hair.volumes.rows import agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
 from cloner.hair.volumes.views import HairView, visual_hull_mm
 from cloner.records.arrays import Array
 
-LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
-VOXEL_M = 0.004  # taste: side of a cell, finer than photos tell
 SMOOTH_VOXELS = 0.8  # taste: sigma that takes the cells' steps away
-COARSE = 4  # voxels a side of a trial cell
 FILM_MM = 2.0  # clear of the skin's mesh
 BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
-SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
 UNSEEN_VOTE = 0.05  # what neighbours say counts where photos see badly
 FAR_SLACK_MM = 10.0  # planes of skin far below tell distances this badly
 BESIDE_TAIL_MM = 50.0  # what lies between a tail and the back below it is air
-CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,12 +53,6 @@ class NearSkin:
     hairy: NDArray[np.float32]
     growth: NDArray[np.float32]
     votes: NDArray[np.float32]
-
-
-def voxels(low_m: Array, high_m: Array) -> tuple[Array, tuple[int, ...]]:
-    """Return the points (N, 3) of a grid between two corners, `VOXEL_M` apart, and its shape."""
-    shape = tuple(int(cells) for cells in np.ceil((high_m - low_m) / VOXEL_M))
-    return low_m + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3), shape
 
 
 def near_skin(scalp: Scalp, points_m: Array) -> NearSkin:
@@ -217,66 +206,28 @@ def hair_field(
     tail = find_tail(views, surface, scalp.triangles, middle_m)
     votes, line = label_votes(views, *body, tail, scalp.lobes_m)
     lying = body[0][((votes * line).sum(axis=0) > 0.0) & (body[0][:, 1] < hang_below_m)]
-    points, rows, shape = _candidate_points(views, scalp, lying, tail, low_m, high_m)
+    hung = default_depth_m(scalp), default_width_m(scalp), hang_below_m
+
+    def fields(points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+        lain = near_lying_hair(body, votes, points_m)
+        grown = np.maximum(cap_mm(views, near_skin(scalp, points_m)), overhang_mm(views, scalp, points_m))
+        hanging = hanging_mm(views, points_m, lain.skin_mm, *hung)
+        low = points_m[:, 1] < hang_below_m
+        hanging = np.where(low, np.maximum(hanging, lying_hair_mm(views, lain)), hanging)
+        if tail is not None:
+            grown = np.maximum(grown, tail_mm(views, tail, points_m))
+            hanging = np.where(tail.holds(points_m), -CLIP_MM, hanging)
+        return grown, hanging, lain.skin_mm
+
+    points, rows, shape = candidate_points(views, scalp, lying, tail, low_m, high_m)
     field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
     skin = np.full(field.shape, np.float32(FAR_MM))
-    near = near_skin(scalp, points)
-    lain = near_lying_hair(body, votes, points)
-    skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
-    grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
-    hanging = hanging_mm(views, points, skin_mm, default_depth_m(scalp), default_width_m(scalp), hang_below_m)
-    hanging = np.where(low, np.maximum(hanging, lying_hair_mm(views, lain)), hanging)
-    if tail is not None:
-        grown = np.maximum(grown, tail_mm(views, tail, points))
-        hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
-    found = np.where(_attached_to(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
+    kept, skin[rows] = near_hair(rows, shape, lambda some: fields(points[some]))
+    points, rows = points[kept], rows[kept]
+    grown, hanging, skin[rows] = fields(points)
+    found = np.where(attached_to(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
     free = np.zeros(len(points), np.bool_) if tail is None else tail.inside_mm(points) > -BESIDE_TAIL_MM
-    found = close_gaps(views, np.asarray(found, np.float32), skin_mm, points, rows, shape, free)
+    skin = skin.reshape(shape)
+    found = close_gaps(views, np.asarray(found, np.float32), skin, points, rows, free)
     field[rows] = np.clip(found, -CLIP_MM, CLIP_MM)
-    skin[rows] = skin_mm
-    return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)
-
-
-def _attached_to(
-    grown: NDArray[np.float32], hanging: NDArray[np.float32], rows: NDArray[np.int64], shape: tuple[int, ...]
-) -> NDArray[np.bool_]:
-    """Return which points (N,) beside growing hair are hair that hangs from it, without specks.
-
-    Collars, shadows and bags that are labelled hair hang from nothing.
-    """
-
-    def pieces_of(flags: NDArray[np.bool_]) -> NDArray[np.int64]:
-        grid = np.zeros(int(np.prod(shape)), bool)
-        grid[rows] = flags
-        return np.asarray(label(grid.reshape(shape))[0].ravel()[rows], np.int64)
-
-    pieces, locks = pieces_of(np.maximum(grown, hanging) > 0.0), pieces_of((hanging > 0.0) & (grown <= 0.0))
-    held = np.zeros(int(pieces.max(initial=0)) + 1, bool)
-    held[pieces[grown > 0.0]] = True
-    large = np.bincount(locks) >= SMALLEST_LOCK_M3 / VOXEL_M**3
-    return np.asarray((locks > 0) & held[pieces] & large[locks], np.bool_)
-
-
-def _candidate_points(
-    views: list[HairView], scalp: Scalp, lying_m: Array, tail: Tail | None, low_m: Array, high_m: Array
-) -> tuple[Array, NDArray[np.int64], tuple[int, ...]]:
-    """Return grid points near possible hair (N, 3), their flat indices, and the grid's shape.
-
-    A coarse grid is tried first; nine tenths of the box hold nothing.
-    """
-    cells = np.ceil((high_m - low_m) / (COARSE * VOXEL_M)).astype(int)
-    shape = tuple(int(n) for n in cells * COARSE)
-    middle = [low_m[k] + (np.arange(cells[k]) * COARSE + 0.5 * (COARSE - 1)) * VOXEL_M for k in range(3)]
-    coarse = np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 3)
-    radius_mm = mm_from_m(COARSE * VOXEL_M)
-    wanted = np.maximum(visual_hull_mm(views, coarse), agreed_mm(views, coarse, default_depth_m(scalp))[0]) > -radius_mm
-    if tail is not None:
-        wanted |= tail.inside_mm(coarse) > -radius_mm
-    for skin_m, thick_mm in ((scalp.points_m[scalp.hairy > 0.0], float(scalp.thickness_mm.max())), (lying_m, LYING_MM)):
-        if len(skin_m):
-            reach = m_from_mm(thick_mm + INNER_MM + radius_mm)
-            wanted |= cKDTree(skin_m).query(coarse, distance_upper_bound=reach)[0] < reach
-    grid = binary_dilation(wanted.reshape(tuple(cells)))
-    fine = np.argwhere(grid.repeat(COARSE, 0).repeat(COARSE, 1).repeat(COARSE, 2))
-    rows = np.asarray(np.ravel_multi_index(tuple(fine.T), shape), np.int64)
-    return low_m + fine * VOXEL_M, rows, shape
+    return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin

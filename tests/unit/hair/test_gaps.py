@@ -7,8 +7,8 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.gaps import DEEP_MM, REACH, close_gaps
+from cloner.hair.volumes.grid import VOXEL_M
 from cloner.hair.volumes.views import HairSkinning
-from cloner.hair.volumes.volume import VOXEL_M
 
 SHAPE = (24, 40, 24)
 POINTS = VOXEL_M * np.indices(SHAPE).reshape(3, -1).T
@@ -34,7 +34,7 @@ def hair(first):
 @pytest.mark.parametrize(("wide", "closes"), [(2, True), (2 * REACH - 1, True), (2 * REACH + 3, False)])
 def test_a_gap_closes_when_it_is_narrow(wide, closes):
     field = hair(9 + wide)
-    found = close_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, FREE)
+    found = close_gaps([seen()], field, SKIN_MM.reshape(SHAPE), POINTS, ROWS, FREE)
     between = (LEVEL > 8) & (LEVEL < 9 + wide)
     assert (found[between] > 0.0).all() == closes
     if closes:
@@ -49,19 +49,19 @@ def test_a_gap_closes_when_it_is_narrow(wide, closes):
 )
 def test_it_stays_where_a_photo_shows_something_else_or_none_shows_hair(views):
     field = hair(12)
-    np.testing.assert_array_equal(close_gaps(views, field, SKIN_MM, POINTS, ROWS, SHAPE, FREE), field)
+    np.testing.assert_array_equal(close_gaps(views, field, SKIN_MM.reshape(SHAPE), POINTS, ROWS, FREE), field)
 
 
 def test_gaps_of_the_body_alone_stay():
     arm = np.abs(np.indices(SHAPE)[0].ravel() - 12)
     skin = (4.0 * (arm - 2)).astype(np.float32)  # two walls of skin, four voxels apart
     bald = np.full(len(POINTS), -15.0, np.float32)
-    np.testing.assert_array_equal(close_gaps([seen()], bald, -skin, POINTS, ROWS, SHAPE, FREE), bald)
+    np.testing.assert_array_equal(close_gaps([seen()], bald, -skin.reshape(SHAPE), POINTS, ROWS, FREE), bald)
 
 
 def test_a_tail_lies_on_nothing():
     field = hair(12)
-    found = close_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, np.ones(len(POINTS), bool))
+    found = close_gaps([seen()], field, SKIN_MM.reshape(SHAPE), POINTS, ROWS, np.ones(len(POINTS), bool))
     np.testing.assert_array_equal(found, field)
 
 

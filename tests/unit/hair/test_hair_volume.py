@@ -7,12 +7,11 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.cap import FACE_PHOTO, Scalp
-from cloner.hair.volumes.hanging import hanging_mm, has_side_view
+from cloner.hair.volumes.grid import attached_to
+from cloner.hair.volumes.hanging import LYING_MM, hanging_mm, has_side_view
 from cloner.hair.volumes.rows import ROUND_MM, agreed_mm
 from cloner.hair.volumes.volume import (
-    LYING_MM,
     TAIL_DOUBT_MM,
-    _attached_to,
     cap_mm,
     lying_hair_mm,
     near_lying_hair,
@@ -122,7 +121,7 @@ def test_hair_hangs_from_hair():
     hanging[20:, :9, :9] = 5.0
     hanging[8:10, 11, 11] = 5.0
     rows = np.arange(grown.size)
-    held = _attached_to(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
+    held = attached_to(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
     assert held[8:18, :9, :9].all()
     assert held.sum() == 10 * 9 * 9
 
