@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.caching import cached_per_object
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.cap import FACE_PHOTO
 from cloner.hair.volumes.pictures import FAR_MM
@@ -17,6 +18,7 @@ ROUND_MM = 70.0  # half a head's width: thick hair between the sides that show i
 LONGER = 1.25  # anatomy: heads are so much longer than wide, and so is hair of which no side photo tells
 
 
+@cached_per_object
 def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Return the distances (H, W, 2) to both ends of the hair in each row, px; zero outside.
 
@@ -38,12 +40,6 @@ def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
     return across
 
 
-def across_mm(view: HairView, rows_px: NDArray[np.float32], points_m: Array) -> NDArray[np.float32]:
-    """Return for rest points (N, 2), mm, a view's picture (H, W, 2) from :func:`across_px`."""
-    posed = view.to_hair(points_m)
-    return np.asarray(sample(rows_px, view.posed.camera.project(posed)) * view.pixel_mm(posed), np.float32)
-
-
 def rounded_mm(front: NDArray[np.float32], side: NDArray[np.float32], most_mm: float) -> NDArray[np.float32]:
     """Return the depth (N,) of points in a plan with round corners, mm.
 
@@ -52,7 +48,7 @@ def rounded_mm(front: NDArray[np.float32], side: NDArray[np.float32], most_mm: f
     Parameters
     ----------
     front, side : (N, 2)
-        What front and back photos, and what side photos tell (:func:`across_mm`); FAR_MM where none does.
+        What front and back photos, and what side photos tell (:func:`across_px`, mm); FAR_MM where none does.
     most_mm : float
         Largest radius of a corner.
     """
@@ -81,17 +77,17 @@ def agreed_mm(
     sides, least = np.zeros(len(points_m), np.int64), np.full(len(points_m), np.float32(FAR_MM))
     aside_judged = np.zeros(len(points_m), np.bool_)
     plan = {aside: np.full((len(points_m), 2), np.float32(FAR_MM)) for aside in (False, True)}
-    rows_px = {view.posed.view: across_px(view.hair) for view in views if view.flip_m is None}
     for names in SIDES:
         inside, across = np.full(len(points_m), np.float32(FAR_MM)), np.full_like(plan[True], FAR_MM)
         for mirrored in (False, True):
             (total, weight), wide = np.zeros((2, len(points_m)), np.float32), np.zeros_like(across)
             for view in views:
                 if view.posed.view in names and (view.flip_m is not None) == mirrored:
-                    depth, before = view.evidence(points_m)
+                    posed, pixel = view.seen_at(points_m)
+                    depth, before = view.evidence(points_m, (posed, pixel))
                     heard = before * np.float32(FACE_PHOTO if view.posed.view.is_face else 1.0)
                     total += heard * np.clip(depth, -ROUND_MM, ROUND_MM)
-                    rows_mm = across_mm(view, rows_px[view.posed.view], points_m)
+                    rows_mm = sample(across_px(view.hair), pixel) * np.float32(view.pixel_mm(posed))
                     wide += heard[:, None] * np.minimum(rows_mm, ROUND_MM)
                     weight += heard
             known, mean = weight > 0.0, np.maximum(weight, 1e-6)

@@ -166,15 +166,21 @@ class HairView:
             normals = normals * (-1.0, 1.0, 1.0)
         return np.asarray(normals @ self.transforms[self.hanger.joints[0], :3, :3].T)
 
-    def evidence(self, points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    def seen_at(self, points_m: Array) -> tuple[Array, Array]:
+        """Return where the photo shows rest points (N, 3): in its pose (N, 3) and in its pixels (N, 2)."""
+        posed = self.to_hair(points_m)
+        return posed, self.posed.camera.project(posed)
+
+    def evidence(
+        self, points_m: Array, seen_at: tuple[Array, Array] | None = None
+    ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
         """Return the depth (N,) of points inside the hair's outline, mm, and which the photo can judge (N,).
 
         It judges what is in the picture and not behind the body: if it shows no hair there, there is none.
+        ``seen_at`` is what the method of that name gives, where that is known.
         """
-        posed = self.to_hair(points_m)
-        camera = self.posed.camera
-        pixel = camera.project(posed)
-        depth = camera.to_camera(posed)[:, 2]
+        posed, pixel = seen_at or self.seen_at(points_m)
+        depth = self.posed.camera.to_camera(posed)[:, 2]
         before = depth < depth_at(self.nearest_m, pixel)  # NaN outside the picture: not judged
         return self._inside_mm(posed, pixel), before & self.speaks_for(points_m)
 
@@ -191,8 +197,7 @@ class HairView:
 
     def inside_mm(self, points_m: Array) -> NDArray[np.float32]:
         """Return how far (N,) rest points lie inside the hair's outline in the photo, mm."""
-        posed = self.to_hair(points_m)
-        return self._inside_mm(posed, self.posed.camera.project(posed))
+        return self._inside_mm(*self.seen_at(points_m))
 
     def _inside_mm(self, posed_m: Array, pixel: Array) -> NDArray[np.float32]:
         return np.asarray(sample(self.hair_px, pixel)[:, 0] * np.float32(self.pixel_mm(posed_m)))

@@ -37,7 +37,8 @@ class Seen:
     def to_view(self, points_m: Array) -> Array:
         return points_m
 
-    to_hair = to_view
+    def seen_at(self, points_m: Array) -> tuple[Array, Array]:
+        return points_m, self.project(points_m)
 
     def pixel_mm(self, _: Array) -> float:
         return PIXEL_MM
@@ -45,8 +46,8 @@ class Seen:
     def project(self, points_m: Array) -> Array:
         return 70.0 + 1000.0 / PIXEL_MM * points_m[:, [self.axis, 1]] * (1.0, -1.0)
 
-    def evidence(self, points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-        depth = PIXEL_MM * sample(signed_distance(self.hair), self.project(points_m))[:, 0]
+    def evidence(self, points_m: Array, seen_at: tuple[Array, Array]) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+        depth = PIXEL_MM * sample(signed_distance(self.hair), seen_at[1])[:, 0]
         return depth, np.ones(len(points_m), np.bool_)
 
 

@@ -67,9 +67,9 @@ def _slab(view, axis, half_mm, judged=True):
         posed=SimpleNamespace(view=view, camera=camera),
         flip_m=None,
         hair=np.tile(np.abs(np.arange(401) - 200.0) <= half_mm, (5, 1)),
-        to_hair=lambda at: at,
+        seen_at=lambda at: (at, camera.project(at)),
         pixel_mm=lambda at: 1.0,
-        evidence=lambda at: (
+        evidence=lambda at, _=None: (
             (half_mm - 1000.0 * np.abs(at[:, axis])).astype(np.float32),
             np.full(len(at), judged),
         ),
@@ -182,7 +182,7 @@ def test_a_front_photo_alone_lets_hair_stand_before_a_temple_only_if_it_goes_on_
     front = _slab(ViewId.FACE_FRONT, 0, 100.0)
     ears_m = 1.6
 
-    def evidence(at):
+    def evidence(at, _):
         hair = (at[:, 0] > 0.05) & (longer | (at[:, 1] > ears_m))
         return np.where(hair, 20.0, -20.0).astype(np.float32), np.ones(len(at), bool)
 
@@ -218,7 +218,7 @@ def test_hair_that_a_front_photo_shows_on_both_sides_of_the_neck_falls_behind_it
     """Behind long curtains the nape was bare."""
     front, ears_m = _slab(ViewId.FACE_FRONT, 0, 150.0), 1.6
 
-    def evidence(at):
+    def evidence(at, _):
         hair = (np.abs(at[:, 0]) > from_m) & (longer | (at[:, 1] > ears_m))
         return np.where(hair, 20.0, -20.0).astype(np.float32), np.abs(at[:, 0]) > 0.06
 
