@@ -100,11 +100,11 @@ def run(
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     neck = joined.vertices_m[generic.region("neck")]
     neck_m = np.array([neck[:, 0].mean(), neck[:, 1].min(), neck[:, 2].mean()])
-    views = merge_covering_labels(views, photos.photos, proposals, *scalp, neck_m)
+    views, hooded = merge_covering_labels(views, photos.photos, proposals, *scalp, neck_m)
     views = restore_lost_hair(views, photos.photos, head_middle(generic, joined))
     alike, odd = consistent_views(generic, joined, views)
     covered = covered_side_views(generic, joined, proposals, silhouettes, face_focal_px(photos, ViewId.FACE_SIDE))
-    hair = grow_hair(photos, proposals, alike, covered, joined, tick, params or Params())
+    hair = grow_hair(photos, proposals, alike, covered, joined, tick, params or Params(), hooded=hooded)
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
     scarf = scarf_shell(generic, joined, photos, proposals, views)
@@ -149,9 +149,11 @@ def grow_hair(
     joined: Joined,
     tick: Callable[[float], None],
     params: Params,
+    *,
+    hooded: bool,
 ) -> StageResult:
     """Return the hair shell, or none with the reason as a warning, and its cap's thickness; ``covered`` views only
-    colour it.
+    colour it. No single hairs stand out of a hood.
     """
     generic = load_generic()
     if not any(view.hair.any() for view in views):
@@ -174,7 +176,7 @@ def grow_hair(
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
     mattes = make_mattes(photos.photos, views, scalp.points_m)
-    reach_mm = hair_rim_mm(mattes.values())
+    reach_mm = None if hooded else hair_rim_mm(mattes.values())
     fitted = views if reach_mm is None else reduce_to_cores(views, mattes)
     settled = settle_shell(fitted, skin, *mesh, FILM_MM)
     used, triangles, inside_mm = visible_part(views, settled, mesh[1], scalp)

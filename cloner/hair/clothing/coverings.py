@@ -31,6 +31,8 @@ HANGS: Final = 1.6
 BLUR_SHARE: Final = 0.02
 #: Where less than this share of a scalp is told to be worn, what looks like hair there tells the cloth's colour too.
 SEED_SHARE: Final = 0.2
+#: A head's cloth goes on as a garment where so large a share of what is above the neck's base lies below (taste).
+GOES_ON: Final = 0.5
 CLOTHES: Final = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES)
 ACCESSORY: Final = (Label.ACCESSORY,)
 #: Never part of a covering.
@@ -45,8 +47,9 @@ def merge_covering_labels(
     normals: Array,
     triangles: NDArray[np.int32],
     neck_m: Array,
-) -> list[HairView]:
-    """Return the views with all of a head covering as hair, where its label changes within one piece of cloth.
+) -> tuple[list[HairView], bool]:
+    """Return the views with all of a head covering as hair, where its label changes within one piece of cloth, and
+    whether that is a hood.
 
     Whether something is worn, all photos tell together. Where it ends, each photo tells by its colours: what is joined
     to the cloth on the scalp and looks as it does is the same cloth; a hood ends at the neck, and is clothes below.
@@ -67,15 +70,15 @@ def merge_covering_labels(
         for kinds in (ACCESSORY, CLOTHES, (Label.HAIR,))
     )
     whole = sum(int(np.count_nonzero(place)) for place in places.values())
-    hood = is_hood(labels, places)
-    least = HOOD if hood else LEAST_WORN
-    if worn + clothed <= max(WORN_SHARE * (worn + clothed + hairy), least * whole):
-        return views
+    if worn + clothed <= max(WORN_SHARE * (worn + clothed + hairy), LEAST_WORN * whole):
+        return views, False
+    cloth = {view: head_covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
+    neck = {one.posed.view: one.posed.camera.project(one.to_view(neck_m[None]))[0, 1] for one in straight}
+    hood = is_hood(labels, places) or goes_on_below(cloth, labels, neck)
+    if hood and worn + clothed <= HOOD * whole:
+        return views, False
     if hood:
-        rows = {one.posed.view: one.posed.camera.project(one.to_view(neck_m[None]))[0, 1] for one in straight}
-        cloth = {view: hood_pixels(labels[view], place, rows[view]) for view, place in places.items()}
-    else:
-        cloth = {view: head_covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
+        cloth = {view: hood_pixels(labels[view], cloth[view], place, neck[view]) for view, place in places.items()}
     found = []
     for view in views:
         own = cloth[view.posed.view] & ~view.hair
@@ -86,7 +89,7 @@ def merge_covering_labels(
             apart = view.clothed & ~hair
             view = replace(view, hair=hair, hair_px=to_hair, line_px=to_line, outline_px=to_person, clothed=apart)
         found.append(view)
-    return found
+    return found, hood
 
 
 def is_hood(labels: Mapping[ViewId, NDArray[np.uint8]], scalp: Mapping[ViewId, Bools]) -> bool:
@@ -105,6 +108,27 @@ def is_hood(labels: Mapping[ViewId, NDArray[np.uint8]], scalp: Mapping[ViewId, B
         clothed, worn = (np.count_nonzero(shows(labels[view], *kinds) & place) for kinds in (CLOTHES, ACCESSORY))
         lean += (clothed - worn) / max(int(np.count_nonzero(place)), 1)
     return lean > 0.0
+
+
+def goes_on_below(
+    cloth: Mapping[ViewId, Bools], labels: Mapping[ViewId, NDArray[np.uint8]], neck_px: Mapping[ViewId, float]
+) -> bool:
+    """Return whether in most photos that show a head's cloth it goes on as clothes below the base of the neck.
+
+    Parameters
+    ----------
+    cloth : mapping of ViewId to (H, W) bool
+        As :func:`head_covering` finds it by colour.
+    neck_px : mapping of ViewId to float
+        Row of the neck's base.
+    """
+    votes = []
+    for view, own in cloth.items():
+        if own.any():
+            row = max(int(np.ceil(neck_px[view])), 0)
+            below = np.count_nonzero(own[row:] & shows(labels[view][row:], *CLOTHES))
+            votes.append(below > GOES_ON * np.count_nonzero(own[:row]))
+    return bool(2 * sum(votes) > len(votes))
 
 
 def head_covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) -> Bools:

@@ -50,14 +50,18 @@ def relabel_single_hoods(
     return found
 
 
-def hood_pixels(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: float) -> NDArray[np.bool_]:
+def hood_pixels(
+    labels: NDArray[np.uint8], alike: NDArray[np.bool_], scalp: NDArray[np.bool_], neck_px: float
+) -> NDArray[np.bool_]:
     """Return the pixels (H, W) of a photo's hood: clothes connected to those on the scalp, above the base of the neck.
 
-    Where a hood is taken for something worn on the head it counts as well, but for what is as thin as glasses.
+    Where a hood is taken for hair or something worn on the head it counts as well, but for what is as thin as glasses.
 
     Parameters
     ----------
     labels : (H, W) uint8
+    alike : (H, W) bool
+        What looks as the cloth on the scalp does.
     scalp : (H, W) bool
         Pixels before which the scalp lies.
     """
@@ -65,7 +69,7 @@ def hood_pixels(labels: NDArray[np.uint8], scalp: NDArray[np.bool_], neck_px: fl
     accessory = (labels == Label.ACCESSORY).astype(np.uint8)
     side = 2 * int(np.ceil(0.5 * GLASSES * size)) + 1
     thick = cv2.morphologyEx(accessory, cv2.MORPH_OPEN, np.ones((side, side), np.uint8)) > 0
-    worn = shows(labels, *GARMENTS) | thick
+    worn = shows(labels, *GARMENTS, Label.HAIR) | thick | alike
     worn[max(int(np.ceil(neck_px)), 0) :] = False
     return _pieces_on(worn, scalp, 0.0)
 

@@ -71,7 +71,8 @@ def test_only_what_is_worn_becomes_whole(scarf, monkeypatch):
     photos = {ViewId.FACE_FRONT: SimpleNamespace(rgb=picture())}
     nothing = np.zeros((0, 3))
     scalp = nothing, nothing, np.zeros((0, 3), np.int32)
-    (seen,) = merge_covering_labels([view], photos, proposals, *scalp, np.zeros(3))
+    (seen,), hood = merge_covering_labels([view], photos, proposals, *scalp, np.zeros(3))
+    assert hood == (scarf == Label.UPPER_CLOTHES)
     if scarf == Label.ACCESSORY:
         assert (seen.hair & SCARF & ~FACE).sum() > 0.97 * (SCARF & ~FACE).sum()
         assert not (seen.clothed & seen.hair).any()
@@ -93,6 +94,15 @@ def test_a_large_photo_that_takes_a_hood_for_a_scarf_is_outvoted():
     assert not coverings.is_hood(labels | {ViewId.BODY_BACK: large[:10, :10]}, places)
 
 
+@pytest.mark.parametrize(("below", "photos", "hood"), [(TOP, 2, True), (TOP, 1, False), (TOP & ~TOP, 3, False)])
+def test_cloth_that_goes_on_as_a_garment_in_most_photos_is_a_hood(below, photos, hood):
+    """A hood that labels take for hair and scarves shows by its colour that it is the garment's."""
+    labels = labelled()
+    views = (ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.FACE_SIDE)
+    cloth = {view: SCARF | (below if k < photos else TOP & ~TOP) for k, view in enumerate(views)}
+    assert coverings.goes_on_below(cloth, dict.fromkeys(views, labels), dict.fromkeys(views, 130.0)) == hood
+
+
 @pytest.mark.parametrize("thing", [Label.ACCESSORY, Label.UPPER_CLOTHES])
 def test_glasses_and_a_patch_on_a_bald_head_are_no_covering(thing, monkeypatch):
     monkeypatch.setattr(coverings, "visible_scalp", lambda *_: SCALP)
@@ -102,4 +112,4 @@ def test_glasses_and_a_patch_on_a_bald_head_are_no_covering(thing, monkeypatch):
     proposals = Proposals({ViewId.FACE_FRONT: SimpleNamespace(view=ViewId.FACE_FRONT, labels=labels)})
     scalp = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3), np.int32)
     views = [view]
-    assert merge_covering_labels(views, {}, proposals, *scalp, np.zeros(3)) is views
+    assert merge_covering_labels(views, {}, proposals, *scalp, np.zeros(3))[0] is views

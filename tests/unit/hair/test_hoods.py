@@ -79,10 +79,13 @@ def test_a_hood_is_the_clothes_on_the_head_down_to_the_neck():
     labels[5:12, 52:58] = Label.UPPER_CLOTHES  # a raised hand's sleeve
     labels[22, 18:42] = Label.ACCESSORY  # glasses, their arms in the hood
     labels[10:20, 12:18] = Label.ACCESSORY  # a part of the hood that looks like a scarf
-    found = hoods.hood_pixels(labels, SCALP, 35.2)
-    wanted = np.isin(labels, (Label.UPPER_CLOTHES, Label.ACCESSORY))
+    labels[24:30, 10:16] = Label.HAIR  # and one that looks like hair
+    alike = np.zeros_like(labels, bool)
+    alike[30:34, 8:14] = True  # and one that labels lose
+    found = hoods.hood_pixels(labels, alike, SCALP, 35.2)
+    wanted = np.isin(labels, (Label.UPPER_CLOTHES, Label.ACCESSORY, Label.HAIR)) | alike
     wanted[22, 18:42] = False
     wanted[36:] = False
     wanted[:, 52:] = False
     assert np.array_equal(found, wanted)
-    assert not hoods.hood_pixels(labels, SCALP, 0.0).any()
+    assert not hoods.hood_pixels(labels, alike, SCALP, 0.0).any()
