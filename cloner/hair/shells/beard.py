@@ -90,7 +90,7 @@ def beard_shell(
     if is_contradicted(proposals):
         return None
     asked = (beard_evidence(view, proposals.views[view.posed.view].labels) for view in views if _shows_face(view))
-    views = [view for view in asked if view is not None]
+    views = nearest_views([view for view in asked if view is not None])
     if not any(view.posed.view.is_face for view in views):
         return None
     rows, zone = beard_rows(generic, joined)
@@ -150,6 +150,15 @@ def beard_evidence(view: HairView, labels: NDArray[np.uint8]) -> HairView | None
     to_face = distances_px(beard, shows(labels, *FACE, Label.HAIR) | beard)[3]
     skull = HairSkinning(view.hanger.joints, view.hanger.heights_m - ALL_SKULL_M)
     return replace(view, hair=hair, hair_px=to_beard, line_px=to_line, outline_px=to_face, hanger=skull)
+
+
+def nearest_views(views: list[HairView]) -> list[HairView]:
+    """Return the views without those of body photos from a side from which a photo of the face shows the beard.
+
+    In body photos beards are small: their labels run into the hair beside them, and the room shows between hairs.
+    """
+    near = {view.posed.view.is_front for view in views if view.posed.view.is_face}
+    return [view for view in views if view.posed.view.is_face or view.posed.view.is_front not in near]
 
 
 def _without_specks(beard: NDArray[np.bool_]) -> NDArray[np.bool_]:

@@ -1,8 +1,11 @@
 """A beard hangs below all of its roots: the air between a chin's and those of the throat under it is beard too."""
 
+from types import SimpleNamespace
+
 import numpy as np
 
-from cloner.hair.shells.beard import depth_below_mm
+from cloner.frames import ViewId
+from cloner.hair.shells.beard import depth_below_mm, nearest_views
 
 
 def test_between_the_beard_of_a_chin_and_that_of_the_throat_below_it_hangs_beard():
@@ -15,3 +18,12 @@ def test_between_the_beard_of_a_chin_and_that_of_the_throat_below_it_hangs_beard
     assert hanging[4, :2, 4].all()
     assert not hanging[:, 17:].any()
     assert (depth_below_mm(np.full((3, 3, 3), -5.0, np.float32)) <= 0.0).all()
+
+
+def test_photos_of_the_body_are_heard_where_no_photo_of_the_face_shows_the_beard():
+    """In a small photo a beard ran into the hair beside it: the clone had a strap of beard to its shoulder."""
+    seen = {view: SimpleNamespace(posed=SimpleNamespace(view=view)) for view in ViewId}
+    front, side, face = (seen[view] for view in (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT))
+    assert nearest_views([front, side, face]) == [side, face]
+    assert nearest_views([front, side, face, seen[ViewId.FACE_SIDE]]) == [face, seen[ViewId.FACE_SIDE]]
+    assert nearest_views([front, side]) == [front, side]
