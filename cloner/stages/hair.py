@@ -182,8 +182,8 @@ def grow_hair(
     used, triangles, inside_mm = visible_part(views, settled, mesh[1], scalp)
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
-    vertices = settled[used]
-    surface = add_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
+    grown = settled[used], triangles
+    surface = add_peak(generic, joined, views, proposals, scalp, (*grown, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
     hats = headwear_views(views, proposals) if peaked.any() or reach_mm is not None else []
     worn = (peaked, hats) if peaked.any() else None
@@ -194,7 +194,6 @@ def grow_hair(
     shell = dress_shell(
         generic, joined, photos, seen, surface, hung, params.size, strands=strands, carried=carried, worn=worn
     )
-    grown = vertices, triangles
     cards = None if reach_mm is None else hair_cards(generic, joined, views, mattes, reach_mm, shell, grown, hats)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
