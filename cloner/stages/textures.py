@@ -103,12 +103,8 @@ def run(
     was shifted away, px; share of the charts' texels that a photo saw.
     """
     params = params or Params()
-    generic, photos = load_generic(), denoised(photos)
-    if wears_glasses(proposals):
-        glasses = next((shell for shell in shells if shell.kind == "glasses"), None)
-        photos, proposals = remove_glasses(generic, joined, photos, proposals, glasses)
-    hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth", "beard"))  # lenses are clear
-    joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
+    generic = load_generic()
+    photos, proposals, joined, hiding = before_painting(generic, photos, proposals, joined, shells)
     baked, surfaces, worn_rgb, residuals = paint_atlas(
         generic, photos, proposals, silhouettes, joined, hiding, params, tick
     )
@@ -126,6 +122,21 @@ def run(
     lit = (match_light_of_body(s, joined.vertices_m, worn_rgb, surfaces) if s.kind == "cloth" else s for s in shells)
     painted = assemble(joined, tuple(lit), atlas)
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
+
+
+def before_painting(
+    generic: GenericHuman, photos: PhotoSet, proposals: Proposals, joined: Joined, shells: tuple[Shell, ...]
+) -> tuple[PhotoSet, Proposals, Joined, tuple[Shell, ...]]:
+    """Return photos without noise and, as their proposals, without glasses, the person tucked in below the shells that
+    hide it, and those shells.
+    """
+    photos = denoised(photos)
+    if wears_glasses(proposals):
+        glasses = next((shell for shell in shells if shell.kind == "glasses"), None)
+        photos, proposals = remove_glasses(generic, joined, photos, proposals, glasses)
+    hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth", "beard"))  # lenses are clear
+    tucked = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
+    return photos, proposals, tucked, hiding
 
 
 def observed_eye_colours(

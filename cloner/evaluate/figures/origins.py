@@ -13,9 +13,8 @@ from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.paint.composing.compose import paint, paint_table
-from cloner.paint.details.tucking import tuck_scalp
 from cloner.paint.lookups.sources import Source
-from cloner.stages.textures import Params, prepare_sources
+from cloner.stages.textures import Params, before_painting, prepare_sources
 
 #: Side of the atlas that is asked, texels: enough to count.
 SIZE: Final = 512
@@ -59,12 +58,11 @@ def texel_origins(values: Mapping[str, Any]) -> TexelOrigins | None:
         All values of the pipeline, by name.
     """
     generic, params = load_generic(), Params()
-    joined, shells = values["obeyed"], values["shells"]
-    joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
-    shared, _ = prepare_sources(
-        generic, values["photos"], values["proposals"], values["obeyed_silhouettes"], joined, shells, params,
-        lambda part: None,
-    )  # fmt: skip
+    photos, proposals, joined, hiding = before_painting(
+        generic, values["photos"], values["proposals"], values["obeyed"], values["shells"]
+    )
+    silhouettes = values["obeyed_silhouettes"]
+    shared, _ = prepare_sources(generic, photos, proposals, silhouettes, joined, hiding, params, lambda part: None)
     if shared is None:
         return None
     dark = np.zeros_like(shared.light[0])

@@ -55,8 +55,7 @@ def paint_glasses(shape: FrameShape, at: Sampler) -> Picture:
     """Return the picture of a frame: what one rim hides the other one shows, and temples have the rims' mean colour."""
     rims = [_rim_band(shape, sign, middle, at) for sign, middle in zip(SIDES, shape.middles_m, strict=True)]
     colours, weights = (np.stack([rim[k] for rim in rims]) for k in (0, 1))
-    sure = weights > 0.5 if (weights > 0.5).any() else weights >= 0.0
-    mean = np.median(colours[sure], axis=0)
+    mean = _usual_colour(colours, weights)
     other = _blend(mean, colours[::-1], weights[::-1])
     bands = [*_blend(other, colours, weights), _blend(mean, *_bridge_band(shape, at))]
     bands += [np.broadcast_to(mean, (BAND_PX, WIDE_PX, 3))] * (RODS - len(bands))
@@ -70,6 +69,12 @@ def paint_glasses(shape: FrameShape, at: Sampler) -> Picture:
 def _blend(below: Array, colours: Array, weights: Array) -> Array:
     """Return colours (..., 3) over others by weights (...)."""
     return np.asarray(below + weights[..., None] * (colours - below))
+
+
+def _usual_colour(colours: Array, weights: Array) -> Array:
+    """Return the median (3,) of the colours (..., 3) that are believed, of all where none is."""
+    sure = weights > 0.5
+    return np.asarray(np.median(colours[sure] if sure.any() else colours.reshape(-1, 3), axis=0))
 
 
 def _read(at: Sampler, places_m: Array) -> tuple[Array, Array]:
@@ -111,7 +116,5 @@ def _lens_picture(shape: FrameShape, side: int, at: Sampler) -> Array:
     turns = np.arange(len(shape.rim_m) + 1)
     rim = np.concatenate([shape.rim_m, shape.rim_m[:1]])
     edge = places_along(rim, turns.astype(float), np.mod(steps, len(shape.rim_m)).ravel()).reshape(LENS_PX, LENS_PX, 2)
-    places = shape.middles_m[side] + INNER * radius[..., None] * edge * (SIDES[side], 1.0)
-    colours, weights = _read(at, places)
-    seen = weights > 0.5 if (weights > 0.5).any() else weights >= 0.0
-    return _blend(np.median(colours[seen], axis=0), colours, weights)
+    colours, weights = _read(at, shape.middles_m[side] + radius[..., None] * edge * (SIDES[side], 1.0))
+    return _blend(_usual_colour(colours, weights), colours, weights)
