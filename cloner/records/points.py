@@ -214,7 +214,7 @@ class Proposals:
     left_out : mapping of ViewId to str
         Photos that no shape is taken from, and why, as the operator reads it.
     covered : mapping of ViewId to Proposal
-        Those among them that show the person's hair.
+        Those among them that may still show the person's hair.
     """
 
     views: Mapping[ViewId, Proposal]
@@ -226,9 +226,12 @@ class Proposals:
             object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
 
     def without(self, reasons: Mapping[ViewId, str]) -> Proposals:
-        """Return the proposals without some photos."""
+        """Return the proposals without some photos; a side photo of the face may still show the hair."""
         kept = {view: proposal for view, proposal in self.views.items() if view not in reasons}
-        return Proposals(kept, {**self.left_out, **reasons}, self.covered)
+        covered = dict(self.covered)
+        if ViewId.FACE_SIDE in reasons and ViewId.FACE_SIDE in self.views:
+            covered[ViewId.FACE_SIDE] = self.views[ViewId.FACE_SIDE]
+        return Proposals(kept, {**self.left_out, **reasons}, covered)
 
 
 @dataclass(frozen=True, slots=True)

@@ -319,3 +319,12 @@ def test_a_profile_without_a_trusted_nose_is_none(monkeypatch):
     assert points.face_proposals(*given).names == ()
     Net.trust = 0.3
     assert points.face_proposals(*given).names == ("nose_tip", "chin_front")
+
+
+def test_a_side_photo_that_is_left_out_later_may_still_show_the_hair():
+    """Its head was laid on hair for a profile: the shape is not to be had from it, the hair is."""
+    face, _ = seen(FACE)
+    side, back = (replace(face, view=view) for view in (FACE_SIDE, BACK))
+    found = Proposals({FACE_SIDE: side, BACK: back}).without({FACE_SIDE: "a reason", BACK: "another"})
+    assert not found.views
+    assert dict(found.covered) == {FACE_SIDE: side}
