@@ -17,6 +17,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.seen_points import combined_pose
 from cloner.parallel import parallel_map
+from cloner.records.labels import Label, shows
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import (
@@ -43,6 +44,7 @@ FACE_MARK = "nose_tip"
 EDGE_LEVEL = 127
 CLOTH_MARGIN = _CALIBRATED.number("cloth_margin", "figure")
 CLOTH_TRUST = _CALIBRATED.number("cloth_trust", "factor")
+LEAST_FACE = _CALIBRATED.number("least_face", "share")
 LEAST_NOSE_TRUST = _CALIBRATED.number("least_nose_trust", "factor")
 
 
@@ -180,7 +182,7 @@ def propose_points(
 def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -> ViewPoints:
     """Return the proposed points of a face; in a face photo without a detected face, those that corrections tell."""
     found = cast(ViewPoints, DETECTORS.get("face_points")(photo, proposal))
-    if photo.view is ViewId.FACE_SIDE and found.names and not _shows_nose(found):
+    if photo.view is ViewId.FACE_SIDE and found.names and not (_shows_nose(found) and _shows_face(proposal)):
         found = ViewPoints(photo.view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, dtype=np.bool_))
     if photo.view.is_face and not found.names:
         placed = corrections.points.get(photo.view, {})
@@ -192,6 +194,17 @@ def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -
 def _shows_nose(points: ViewPoints) -> bool:
     """Return whether a nose tip is reliable at all: all other points of a profile depend on it."""
     return FACE_MARK in points.names and bool(points.confidence[points.names.index(FACE_MARK)] > LEAST_NOSE_TRUST)
+
+
+def _shows_face(proposal: Proposal) -> bool:
+    """Return whether a side photo shows a face beside hair and what is worn: of the tip of a nose alone any line on
+    the hair makes a profile.
+    """
+    face, other = (
+        np.count_nonzero(shows(proposal.labels, *kinds))
+        for kinds in ((Label.FACE_SKIN, Label.BEARD), (Label.HAIR, Label.ACCESSORY))
+    )
+    return face >= LEAST_FACE * (face + other)
 
 
 def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
