@@ -228,10 +228,8 @@ class Proposals:
     def without(self, reasons: Mapping[ViewId, str]) -> Proposals:
         """Return the proposals without some photos; a side photo of the face may still show the hair."""
         kept = {view: proposal for view, proposal in self.views.items() if view not in reasons}
-        covered = dict(self.covered)
-        if ViewId.FACE_SIDE in reasons and ViewId.FACE_SIDE in self.views:
-            covered[ViewId.FACE_SIDE] = self.views[ViewId.FACE_SIDE]
-        return Proposals(kept, {**self.left_out, **reasons}, covered)
+        side = {view: one for view, one in self.views.items() if view in reasons and view.is_face and view.is_side}
+        return Proposals(kept, {**self.left_out, **reasons}, {**self.covered, **side})
 
 
 @dataclass(frozen=True, slots=True)

@@ -204,7 +204,7 @@ def _shows_face(proposal: Proposal) -> bool:
         np.count_nonzero(shows(proposal.labels, *kinds))
         for kinds in ((Label.FACE_SKIN, Label.BEARD), (Label.HAIR, Label.ACCESSORY))
     )
-    return face >= LEAST_FACE * (face + other)
+    return bool(face >= LEAST_FACE * (face + other))
 
 
 def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:

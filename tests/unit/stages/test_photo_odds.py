@@ -328,3 +328,13 @@ def test_a_side_photo_that_is_left_out_later_may_still_show_the_hair():
     found = Proposals({FACE_SIDE: side, BACK: back}).without({FACE_SIDE: "a reason", BACK: "another"})
     assert not found.views
     assert dict(found.covered) == {FACE_SIDE: side}
+
+
+def test_the_tip_of_a_nose_beside_hair_is_no_profile():
+    """Lines on curtains of hair made profiles of half and twice the head's size."""
+    proposal, given = seen(FACE_SIDE)
+    assert "nose_tip" in points.face_proposals(given, proposal, Corrections({})).names
+    skin = np.argwhere(proposal.labels == Label.FACE_SKIN)
+    hidden = proposal.labels.copy()
+    hidden[tuple(skin[: int(0.97 * len(skin))].T)] = Label.HAIR
+    assert points.face_proposals(given, replace(proposal, labels=hidden), Corrections({})).names == ()
