@@ -1,4 +1,4 @@
-"""Glasses as a separate object: rims, bridge and temples in the frame's colour, from the front photo.
+"""Glasses as a separate object: rims, bridge and temples in the front photo's colours.
 
 Clear lenses are not drawn, dark ones are.
 """
@@ -98,9 +98,8 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     if shape is None:
         return None
 
-    def shown(points_mm: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        place = picture_px(points_mm, CORNER_MM, PIXEL_MM)
-        return sample(colours, place), sample(frame, place)[:, 0]
+    def shown(points_mm: Array) -> tuple[NDArray[np.float32], Array]:
+        return sample(colours, picture_px(points_mm, CORNER_MM, PIXEL_MM)), at(points_mm)
 
     picture, parts = paint_glasses(shape, shown), _parts(generic, joined, shape, before_m)
     vertices = np.concatenate([part[0] for part in parts])

@@ -26,7 +26,7 @@ FRAME_SHARES: Final = (0.5, 0.8)
 
 #: Samples the photo at points (N, 2) of the frame's plane, mm from the nasion: colours (N, 3), levels, and how much is
 #: frame (N,), 0 to 1.
-Sampler = Callable[[Array], tuple[NDArray[np.float32], NDArray[np.float32]]]
+Sampler = Callable[[Array], tuple[NDArray[np.float32], Array]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
