@@ -36,7 +36,7 @@ from cloner.evaluate.truths.truth import given_height_m
 from cloner.generic.load import load_generic
 from cloner.paint.lookups.sources import Source
 from cloner.pipeline import STAGES
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera, View, ViewSet
 from cloner.stages import fine, head, rough, skeleton, textures
@@ -114,7 +114,7 @@ def mask_only(values: Values) -> Values:
         )
         kept = tuple(line for line in contours if len(line) > 0.05 * len(contours[0]))
         if view in found:
-            views[view] = replace(found[view], contours_px=kept, mask=proposal.mask > 127, sources=())
+            views[view] = replace(found[view], contours_px=kept, mask=proposal.person(), sources=())
     return {**values, "silhouettes": SilhouetteSet({**found, **views})}
 
 

@@ -216,7 +216,7 @@ def score_outlines(values: Values, truth: KnownTruth) -> dict[str, Any]:
             continue
         true = truth.views[view.value].mask
         row: dict[str, float] = {}
-        for name, mask in (("outline", silhouette.mask), ("mask", values["proposals"].views[view].mask > 127)):
+        for name, mask in (("outline", silhouette.mask), ("mask", values["proposals"].views[view].person())):
             spread = rulers.summarise(rulers.outline_distances_px(mask, true))
             row |= {f"{name}_iou": rulers.mask_iou(mask, true), f"{name}_px": spread.mean, f"{name}_p95_px": spread.p95}
         linked = [source == "edges" for _, source, _ in silhouette.sources]

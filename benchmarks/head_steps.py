@@ -27,7 +27,8 @@ from cloner.head.model import make_head_model
 from cloner.head.modes import load_head_modes
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
-from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.views import Camera
 from cloner.stages import head
 from cloner.testing import first_values, run_stages

@@ -27,7 +27,8 @@ from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.frames import FACE_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.project.folder import load_photos, read_person
-from cloner.records.points import PointSet, Proposals
+from cloner.records.points import PointSet
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]

@@ -19,7 +19,8 @@ from cloner.project.stamps import stamp_text
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, Photo, PhotoSet
-from cloner.records.points import Corrections, Proposals
+from cloner.records.points import Corrections
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.report.agreement import PhotoAgreement, agreements
 from cloner.report.evidence import contradicting_photos, is_better

@@ -19,7 +19,8 @@ from cloner.head.jaw import with_closed_jaw
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import PointSet, Proposal, Proposals
+from cloner.records.points import PointSet
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import Camera
 from cloner.render import Shading, coverage, draw, standard_camera

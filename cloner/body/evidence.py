@@ -14,7 +14,8 @@ from cloner.frames import mm_from_m
 from cloner.generic.body_net import NetPoints, net_points
 from cloner.geometry.outlines.contours import OutlineField, outline_field
 from cloner.records.labels import Label
-from cloner.records.points import Proposal, ViewPoints
+from cloner.records.points import ViewPoints
+from cloner.records.proposals import Proposal
 from cloner.records.silhouettes import Silhouette
 from cloner.records.views import View
 

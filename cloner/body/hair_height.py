@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.states import State, read_states
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.

@@ -15,7 +15,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES, point_sigma
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
-from cloner.records.points import Proposals, ViewPoints
+from cloner.records.points import ViewPoints
+from cloner.records.proposals import Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.observed_joints")

@@ -18,7 +18,7 @@ from cloner.geometry.outlines.slices import PosedBody, SlicePairs, occluding_pai
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label, shows
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
 #: Height of the reduced photo on which rims are found, px.
@@ -71,7 +71,7 @@ def mask_outline_field(proposal: Proposal) -> OutlineField:
     """Return the outline field of a face photo from the net's mask, as it has no linked outline."""
     height = proposal.mask.shape[0]
     reduction = max(height / PICTURE_HEIGHT, 1.0)
-    person = proposal.mask > 127
+    person = proposal.person()
     return outline_field(
         borders_px(person.astype(np.uint8)),
         person,

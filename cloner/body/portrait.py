@@ -22,7 +22,7 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.head.modes import load_head_modes
 from cloner.records.arrays import Array
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.portrait")

@@ -27,7 +27,7 @@ from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photo, safe_identifier
 from cloner.project.values_file import save_values
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from cloner.stages.figures import NobodySeen
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.proposals import propose, resolve_hidden

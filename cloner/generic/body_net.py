@@ -17,7 +17,7 @@ import numpy as np
 from cloner.generic import seen_points
 from cloner.generic.load import GenericHuman
 from cloner.records.arrays import Array, freeze
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 
 #: How a landmark is seen: in a front or back photo, or on the near or far side of the body in a side photo.
 SIDES: Final = ("front", "back", "near", "far")

@@ -7,7 +7,7 @@ from typing import Final
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/generic.toml``.
 _CALIBRATED: Final = calibrated("generic.seen_points")

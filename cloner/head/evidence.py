@@ -21,7 +21,8 @@ from cloner.head.skin_matches import SkinMatches
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import FacePoints, Proposals, ViewPoints
+from cloner.records.points import FacePoints, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 

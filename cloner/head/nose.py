@@ -19,7 +19,8 @@ from cloner.detectors.face.cascade import FeaturePose, FoundFeature, load_cascad
 from cloner.detectors.face.face_front_features import find_half
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal, ViewPoints
+from cloner.records.points import ViewPoints
+from cloner.records.proposals import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.nose")

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from cloner.body.outlined import mask_outline_field
 from cloner.calibration.loader import calibrated
 from cloner.records.arrays import Array
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.outline")

@@ -11,7 +11,8 @@ from cloner.head.fit import FittedHead, profile_candidates, silhouette_vertices
 from cloner.head.jaw import FRONT, SIDE, with_open_jaw
 from cloner.head.model import HeadModel
 from cloner.records.arrays import Array
-from cloner.records.points import FacePoints, Proposals
+from cloner.records.points import FacePoints
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual
 
 #: Names that front and side photos both propose.

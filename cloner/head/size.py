@@ -18,7 +18,7 @@ from cloner.head.jaw import with_open_jaw
 from cloner.head.model import HeadModel
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.

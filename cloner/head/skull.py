@@ -17,6 +17,7 @@ from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.deformation.dffd import deform
 from cloner.head.model import HeadModel
 from cloner.records.arrays import Array
+from cloner.records.proposals import PERSON_LEVEL
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
@@ -64,7 +65,7 @@ def _depth_maps(
     for camera, mask in masks:
         metres = camera.metres_per_pixel(centre_m)
         step = max(1, round(1.0 / (metres * MAP_PX_PER_M)))
-        inside = mask[::step, ::step] > 127
+        inside = mask[::step, ::step] > PERSON_LEVEL
         depth = distance_transform_edt(inside) - distance_transform_edt(~inside)
         depth = np.asarray(depth, dtype=np.float64) * step * metres
         out.append((camera, depth, list(np.gradient(depth)), step))

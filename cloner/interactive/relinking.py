@@ -10,7 +10,8 @@ import numpy as np
 from cloner.errors import ClonerError
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
-from cloner.records.points import Correction, Proposal, ViewPoints
+from cloner.records.points import Correction, ViewPoints
+from cloner.records.proposals import Proposal
 from cloner.stages.silhouettes import ON_OUTLINE, silhouette
 from cloner.vision.contours.stretches import LinkableOutline, prepare_linking, relink_stretch
 

@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.states import State, eyes_span, read_states
 from cloner.records.labels import Label, shows
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.glasses")

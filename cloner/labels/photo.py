@@ -40,7 +40,7 @@ def label_photo(
     rgb : (H, W, 3) uint8
     person : (H, W) bool
         The person; everything else is background.
-    looks : Looks
+    looks : LabelEvidence
         Of the same photo.
     face_points : (468, 2) float64, optional
         Face mesh in px.

@@ -20,7 +20,7 @@ from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import CLOTHES, SKINS, labels_at
 from cloner.records.measures import Cover
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
 _CALIBRATED: Final = calibrated("measure.covering")

@@ -21,7 +21,7 @@ from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Joined
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import Cover
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
 

@@ -17,7 +17,7 @@ from cloner.geometry.measurement.measuring import ALL_KEYS, LIMB_SLICES, TRUNK_S
 from cloner.labels.naked_edges import LEFT_THIGH, NECK, RIGHT_THIGH, TRUNK
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
 _CALIBRATED: Final = calibrated("measure.naked_girths")

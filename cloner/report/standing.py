@@ -14,7 +14,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 
 #: A head turned by more from front or profile is told, degrees.
 MOST_TURNED: Final = 20.0

@@ -10,7 +10,7 @@ import numpy as np
 from cloner.frames import ViewId
 from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.report.agreement import PhotoAgreement
 from cloner.vision.retouching.open_mouth import open_lip_borders
 

@@ -40,7 +40,8 @@ from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
-from cloner.records.points import PointSet, Proposals
+from cloner.records.points import PointSet
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.points import points_for_fit

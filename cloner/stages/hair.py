@@ -53,7 +53,7 @@ from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.views import face_focal_px

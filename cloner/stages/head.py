@@ -34,7 +34,8 @@ from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype
 from cloner.records.heads import HeadFit
 from cloner.records.photos import PhotoSet
-from cloner.records.points import FacePoints, Proposals
+from cloner.records.points import FacePoints
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera

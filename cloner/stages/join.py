@@ -35,7 +35,8 @@ from cloner.records.bodies import BodyMesh, FineBody, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
 from cloner.records.photos import PhotoSet
-from cloner.records.points import BodyPoints, Proposals
+from cloner.records.points import BodyPoints
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera

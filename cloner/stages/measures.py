@@ -23,7 +23,7 @@ from cloner.records.bodies import FineBody, Phenotype
 from cloner.records.clones import Joined
 from cloner.records.measures import BY_KEY, FITS, MEASURE_KEYS, Cover, Measure, MeasureSet
 from cloner.records.photos import Person
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 

@@ -22,7 +22,8 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.photos import Person
-from cloner.records.points import BodyPoints, Proposals
+from cloner.records.points import BodyPoints
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet

@@ -22,7 +22,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.labels import FACE, Label, shows
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import PERSON_LEVEL, Proposal, Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.photo_checks")
@@ -106,7 +106,7 @@ def side_odds(proposal: Proposal) -> float:
     arms, which no net has to name, is 0.47-0.57 wide against 0.17-0.20.
     """
     pose = proposal.pose_px
-    shown = proposal.mask > 127
+    shown = proposal.person()
     rows, columns = (np.flatnonzero(shown.any(axis=axis)) for axis in (1, 0))
     tall = max(float(rows[-1] - rows[0]), 1.0) if len(rows) else 1.0
     wide = float(columns[-1] - columns[0]) / tall if len(columns) else FIGURE_WIDE
@@ -273,7 +273,7 @@ def nose_between_ears(proposal: Proposal) -> float:
 
 def _shows_whole_body(proposal: Proposal) -> bool:
     inside = bool(proposal.pose_px[net.ANKLES, 1].max() < proposal.mask.shape[0])
-    return inside and float((proposal.mask[-2:] > 127).mean()) < CUT_BELOW
+    return inside and float((proposal.mask[-2:] > PERSON_LEVEL).mean()) < CUT_BELOW
 
 
 def _ear_distance_px(proposal: Proposal) -> float:

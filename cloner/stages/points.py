@@ -20,17 +20,8 @@ from cloner.parallel import parallel_map
 from cloner.records.labels import Label, shows
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import (
-    FAR,
-    Correction,
-    Corrections,
-    PhotoState,
-    PointSet,
-    Proposal,
-    Proposals,
-    StateKind,
-    ViewPoints,
-)
+from cloner.records.points import FAR, Correction, Corrections, PhotoState, PointSet, StateKind, ViewPoints
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.stages.photo_checks import check_photos
 from cloner.vision.segmentation.loose_outline import find_loose
@@ -40,8 +31,6 @@ _CALIBRATED: Final = calibrated("stages.points")
 
 #: A point that all faces have, and no body.
 FACE_MARK = "nose_tip"
-#: Value of a mask (0..255) above which a pixel shows the person.
-EDGE_LEVEL = 127
 CLOTH_MARGIN = _CALIBRATED.number("cloth_margin", "figure")
 CLOTH_TRUST = _CALIBRATED.number("cloth_trust", "factor")
 LEAST_FACE = _CALIBRATED.number("least_face", "share")
@@ -214,7 +203,7 @@ def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
     body = check_bones(body, {view: figure_height_px(points) for view, points in body.items()})
     if shows_crotch(body):
         return body
-    loose = find_loose({v: (p.mask > EDGE_LEVEL, *combined_pose(p)) for v, p in shown.items()})
+    loose = find_loose({v: (p.person(), *combined_pose(p)) for v, p in shown.items()})
     return body | {view: without_cloth_points(body[view], regions) for view, regions in loose.items()}
 
 

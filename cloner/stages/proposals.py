@@ -14,7 +14,7 @@ from cloner.generic.seen_points import ANKLES
 from cloner.labels.states import stands_barefoot
 from cloner.parallel import pipelined
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.results import StageResult
 from cloner.stages.figures import Figure, NobodySeen, find_figure, find_hidden_figure, standing_mask
 from cloner.stages.hidden import SOMEBODY, shares_colours
@@ -44,7 +44,7 @@ def resolve_hidden(
     NobodySeen
         Of the first photo that has nothing of the person.
     """
-    others = [(photos.photos[view].rgb, proposal.mask > 127) for view, proposal in views.items()]
+    others = [(photos.photos[view].rgb, proposal.person()) for view, proposal in views.items()]
     found, left_out = dict(views), dict[ViewId, str]()
     for view, error in unseen.items():
         photo, close = photos.photos[view], view.is_face and (view.is_side or ViewId.BODY_FRONT in views)

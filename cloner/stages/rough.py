@@ -33,7 +33,7 @@ from cloner.geometry.outlines.settling import without_folds
 from cloner.geometry.outlines.slices import aspect_shift, fine_shift
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 

@@ -15,7 +15,8 @@ from cloner.generic.seen_points import combined_pose
 from cloner.parallel import parallel_map
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, ViewPoints
+from cloner.records.points import ANCHOR, FAR, BodyPoints, ViewPoints
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.points import figure_height_px, points_for_fit, shows_crotch

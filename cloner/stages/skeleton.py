@@ -30,7 +30,7 @@ from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 

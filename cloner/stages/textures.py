@@ -54,7 +54,7 @@ from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
 from cloner.records.labels import SURFACES
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.photographs.noise import denoised

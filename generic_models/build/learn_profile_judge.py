@@ -26,7 +26,7 @@ from cloner.evaluate.truths.kit import kit_people, read_kit
 from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId, mm_from_m
 from cloner.project.folder import load_photo
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from cloner.stages.proposals import propose
 
 Array = NDArray[np.float64]

@@ -6,7 +6,7 @@ from cloner.detectors.body.levels import load_levels
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from kit import studio
 from kit.people import with_shoes_and_hair
 

@@ -13,7 +13,7 @@ from skimage.measure import find_contours
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from cloner.records.silhouettes import Silhouette
 from cloner.records.views import Camera
 

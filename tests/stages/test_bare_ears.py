@@ -14,7 +14,7 @@ from cloner.hair.volumes.views import HairView, hair_views
 from cloner.paint.details.tucking import ear_masks
 from cloner.records.clones import Joined
 from cloner.records.labels import Label
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import painted, people
 

@@ -11,7 +11,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.beard import beard_rows, is_contradicted
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import hair
 from kit import painted, people, studio

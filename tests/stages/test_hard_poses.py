@@ -11,7 +11,8 @@ from cloner.generic.load import load_generic
 from cloner.geometry.outlines.silhouette import triangle_normals
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.photos import Person
-from cloner.records.points import PointSet, Proposals
+from cloner.records.points import PointSet
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

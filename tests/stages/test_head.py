@@ -22,7 +22,8 @@ from cloner.head.ears import ear_modes
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages import head

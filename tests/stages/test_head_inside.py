@@ -10,7 +10,8 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.head.nose import nose_observations
-from cloner.records.points import Proposal, ViewPoints
+from cloner.records.points import ViewPoints
+from cloner.records.proposals import Proposal
 from kit.visitors import photo, truth_mask, visitor_folder
 
 NAMES = ("pupil_L", "pupil_R", "ala_L", "ala_R", "subnasale", "nose_tip", "chin_front", "chin_bottom")

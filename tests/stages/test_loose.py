@@ -21,7 +21,7 @@ from cloner.hair.clothing import loose_clothes as loose
 from cloner.hair.clothing.loose_views import LegSkinning
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.loose import AROUND_LEGS, HEM_PLACES
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.silhouettes import with_cloth
 from cloner.vision.segmentation.loose_outline import find_loose

@@ -13,7 +13,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.heads import Shell
 from cloner.records.labels import Label
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import hair
 from kit import painted, people, studio

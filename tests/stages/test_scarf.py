@@ -11,7 +11,7 @@ from cloner.generic.load import load_generic
 from cloner.hair.clothing.scarves import scarf_evidence, scarf_shell
 from cloner.hair.volumes.views import hair_views
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import painted, people, studio
 

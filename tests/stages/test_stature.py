@@ -13,7 +13,8 @@ from cloner import pipeline
 from cloner.frames import BODY_VIEWS
 from cloner.project.corrections import no_corrections
 from cloner.records.photos import Person
-from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import compare, people, studio
 

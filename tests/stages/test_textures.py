@@ -9,7 +9,7 @@ from cloner.generic.load import load_generic
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit, Shell
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import textures
 from kit import painted, people, studio

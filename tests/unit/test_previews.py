@@ -16,7 +16,8 @@ from cloner.generic.load import load_generic
 from cloner.head.jaw import jaw_rotations
 from cloner.previews import same_distance, scaled_camera, write_previews
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.render import render, render_mask, standard_camera
 from kit.clones import toy_clone

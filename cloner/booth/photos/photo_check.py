@@ -15,7 +15,7 @@ from cloner.errors import ClonerError
 from cloner.frames import FACE_VIEWS, ViewId
 from cloner.records.labels import SKINS, shows
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.proposals import propose
 
@@ -74,7 +74,7 @@ def is_lying(proposal: Proposal) -> bool:
     A lying body is wider than high. Of a head alone the line from the eyes to the mouth tells, and so it does of a
     body whose pose was found: it leads down in every photo that is upright, whichever side it shows.
     """
-    person = proposal.mask > 127
+    person = proposal.person()
     rows, columns = np.flatnonzero(person.any(axis=1)), np.flatnonzero(person.any(axis=0))
     if not len(rows):
         return False
@@ -119,7 +119,7 @@ def find_problems(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[PhotoProb
     proposal : Proposal
         What the nets say of it; its view says what must be seen.
     """
-    person = proposal.mask > 127
+    person = proposal.person()
     found = []
     if is_cut(person, proposal):
         found.append(PhotoProblem.CUT)

@@ -26,7 +26,8 @@ from cloner.frames import ViewId
 from cloner.generic import seen_points
 from cloner.records.arrays import Array
 from cloner.records.labels import Label
-from cloner.records.points import PhotoState, Proposal, ViewPoints, confidence_of
+from cloner.records.points import PhotoState, ViewPoints, confidence_of
+from cloner.records.proposals import Proposal
 from cloner.vision.segmentation.outline_walk import SoftMask, soft_mask
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.

@@ -10,7 +10,7 @@ import numpy as np
 from cloner.detectors.face.cascade import FeaturePose, FoundFeature, find_feature, load_cascades, side_names
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 
 #: Features looked for, on each half of the face. Of eyes and lips the net tells more (docs/decisions/).
 HALVES: Final = ("front_nose", "front_chin")

@@ -26,7 +26,8 @@ from cloner.generic.load import load_generic
 from cloner.geometry.deformation.completion import complete_points, fit_affine
 from cloner.records.arrays import Array
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal, ViewPoints, face_confidence
+from cloner.records.points import ViewPoints, face_confidence
+from cloner.records.proposals import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_points")

@@ -23,7 +23,7 @@ from cloner.frames import mm_from_m
 from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.records.arrays import Array
 from cloner.records.labels import Label
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from cloner.vision.contours.snake import normals, sample_along_normals, snake_picture
 from cloner.vision.segmentation.pieces import connected_pieces
 
@@ -142,7 +142,7 @@ def _searched_masks(proposal: Proposal) -> list[NDArray[np.uint8]]:
     worn = proposal.labels == Label.ACCESSORY
     masks = [proposal.mask]
     if worn.any():
-        box, pieces, figures = connected_pieces((proposal.mask > 127) & ~worn)
+        box, pieces, figures = connected_pieces(proposal.person() & ~worn)
         if len(figures) > 1:
             bare = binary_fill_holes(pieces == 1 + int(np.argmax(figures[1:, cv2.CC_STAT_AREA])))
             masks.append(np.zeros_like(proposal.mask))

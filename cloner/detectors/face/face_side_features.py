@@ -13,7 +13,7 @@ from cloner.detectors.face.face_side import IOD_M, SideFace
 from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_side_features")

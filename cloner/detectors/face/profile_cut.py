@@ -20,7 +20,7 @@ from cloner.detectors.face.face_side import WRONG, side_face_of
 from cloner.detectors.face.profile_fit import FittedProfile
 from cloner.detectors.face.profile_search import ProfileModel, curve_normals
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal
+from cloner.records.proposals import PERSON_LEVEL, Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_cut")
@@ -74,7 +74,7 @@ def wall_before_profile(rgb: Picture, mask: Picture, model: ProfileModel, fitted
     model, fitted
         The profile and how it lies on the mask.
     """
-    person = mask > 127
+    person = mask > PERSON_LEVEL
     doubted, face = _suspect_pixels(person, model, fitted)
     wall = np.zeros(mask.shape, bool)
     if not doubted.any():

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.geometry.meshes.vectors import unit
 from cloner.records.arrays import Array
+from cloner.records.proposals import PERSON_LEVEL
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_search")
@@ -86,7 +87,7 @@ def curve_normals(curve: Array) -> Array:
 def signed_distance(mask: NDArray[np.uint8], scale: float) -> Field:
     """Return the (h, w) distance to the outline of a person's probability, inside positive, scaled px."""
     size = (max(1, round(mask.shape[1] * scale)), max(1, round(mask.shape[0] * scale)))
-    inside = (cv2.resize(mask, size, interpolation=cv2.INTER_AREA) > 127).astype(np.uint8)
+    inside = (cv2.resize(mask, size, interpolation=cv2.INTER_AREA) > PERSON_LEVEL).astype(np.uint8)
     within = cv2.distanceTransform(inside, cv2.DIST_L2, 5)
     return np.asarray(within - cv2.distanceTransform(1 - inside, cv2.DIST_L2, 5), np.float32)
 

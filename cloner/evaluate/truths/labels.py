@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 Labels = NDArray[np.uint8]
 

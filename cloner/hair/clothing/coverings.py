@@ -17,7 +17,7 @@ from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 Bools = NDArray[np.bool_]
 

@@ -24,7 +24,7 @@ from cloner.records.heads import Shell
 from cloner.records.labels import CLOTHES, shows
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.photographs.arms import arm_zone
 from cloner.vision.retouching.repair import signed_distance

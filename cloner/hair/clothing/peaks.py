@@ -19,7 +19,7 @@ from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.vision.retouching.aligning import sample
 
 STEP_M: Final = 0.0015  # of profiles: a pixel of a face photo

@@ -33,7 +33,7 @@ from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.labels import Label, shows
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 Bools = NDArray[np.bool_]
 

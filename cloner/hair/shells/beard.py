@@ -40,7 +40,7 @@ from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.labels import FACE, Label, shows
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 Floats = NDArray[np.float32]
 

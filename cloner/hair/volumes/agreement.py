@@ -24,7 +24,7 @@ from cloner.hair.volumes.pictures import clean_hair, hairline
 from cloner.paint.lookups.prepared import person_mask
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import sample
 

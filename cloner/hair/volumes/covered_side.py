@@ -22,14 +22,11 @@ from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import PERSON_LEVEL, Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 
 Floats = NDArray[np.float32]
-
-#: Values of a proposal's mask above it are the person.
-MASKED: Final = 127
 
 #: Masks are compared at this long side, px, softened by so much for the search.
 LONG_PX: Final = 280
@@ -113,7 +110,7 @@ def align_heads(near: Proposal, far: Proposal) -> Array | None:
 
     None where either shows no hair, or they show two heads or the two sides of one.
     """
-    rows, columns = np.nonzero(far.mask > MASKED)
+    rows, columns = np.nonzero(far.person())
     if not rows.size:
         return None
     top = int(rows.min())
@@ -159,7 +156,7 @@ def align_heads(near: Proposal, far: Proposal) -> Array | None:
 
 def _soft_masks(proposal: Proposal, box: tuple[slice, slice]) -> tuple[tuple[Floats, Floats], float]:
     """Return person and hair of a photo's window, reduced and softened, and by what they were reduced."""
-    person, hair = proposal.mask[box] > MASKED, proposal.labels[box] == Label.HAIR
+    person, hair = proposal.mask[box] > PERSON_LEVEL, proposal.labels[box] == Label.HAIR
     share = min(LONG_PX / max(person.shape), 1.0)
     size = (max(round(person.shape[1] * share), 1), max(round(person.shape[0] * share), 1))
 

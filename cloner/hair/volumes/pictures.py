@@ -15,7 +15,7 @@ from cloner.paint.lookups.posed import posed_vertices
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from cloner.vision.retouching.repair import nearest_known, signed_distance
 from cloner.vision.segmentation.pieces import box_around, connected_pieces
 

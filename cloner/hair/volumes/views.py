@@ -20,7 +20,7 @@ from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import GARMENTS, Label, shows
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import sample
 

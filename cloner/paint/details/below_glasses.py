@@ -18,7 +18,7 @@ from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.labels import Label, shows
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 
 #: Removed around the frame, as a share of its width, 1.6 mm: labels end inside the frame and its shade.
 RIM_SHARE: Final = 0.012

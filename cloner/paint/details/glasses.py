@@ -29,7 +29,7 @@ from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.matting import EYE_OPENINGS
 

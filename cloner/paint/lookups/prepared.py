@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.generic.seen_points import combined_pose
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.bare_skin import label_colour
 from cloner.vision.retouching.matting import MattedPhoto, prepare_matted_photo
 from cloner.vision.retouching.skin_colour import SkinColour
 
-PERSON_LEVEL = 127  # a net's probability above one half
 _FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 
 
@@ -44,7 +43,7 @@ def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) ->
     silhouette = silhouettes.views.get(view)
     if silhouette is not None and silhouette.mask.shape == proposal.mask.shape:
         return silhouette.mask
-    return proposal.mask > PERSON_LEVEL
+    return proposal.person()
 
 
 def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteSet) -> dict[ViewId, SkinColour]:

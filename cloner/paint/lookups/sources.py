@@ -17,14 +17,14 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.cameras.visibility import Visibility, depth_at
 from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import PosedPerson, pose_person
-from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, matted_photo, person_mask, person_skin
+from cloner.paint.lookups.prepared import Limits, matted_photo, person_mask, person_skin
 from cloner.paint.lookups.zones import always_bare, hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.parallel import parallel_map
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import outline_shift, sample, shift_points
@@ -256,7 +256,7 @@ def covered_by_hair(
     allowed : (N,) scalp, which keeps the hair's colour
     kept : (N,) face, where only a shell in front counts
     """
-    labelled = sample(source.hair, lookup_px)[:, 0] > PERSON_LEVEL
+    labelled = 2.0 * sample(source.hair, lookup_px)[:, 0] > 255.0
     shell = depth_at(source.hair_m, pixel_px)
     below = depth_m > shell + HAIR_CLEARANCE_M
     # A scalp shows hair or bare skin: where the photo shows neither, the lookup left the head.

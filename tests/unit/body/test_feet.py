@@ -11,7 +11,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.meshes.triangles import areas
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.fine import fit_extremities
 from kit import people, studio

@@ -20,7 +20,8 @@ from cloner.head.skin_matches import SkinMatches
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposals, ViewPoints
+from cloner.records.points import ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

@@ -13,7 +13,7 @@ from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

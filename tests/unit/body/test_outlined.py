@@ -7,7 +7,7 @@ from cloner.body.outlined import outline_distances_mm, outlined_photos, posed_si
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

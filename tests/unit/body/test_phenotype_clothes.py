@@ -11,7 +11,8 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.records.bodies import Phenotype
 from cloner.records.photos import Person
-from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import phenotype, views
 from kit import people, studio

@@ -11,7 +11,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import look_at
 from cloner.head.modes import load_head_modes
-from cloner.records.points import Proposal, Proposals
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.views import Camera
 
 SIZE = (1600, 1200)

@@ -11,7 +11,7 @@ from cloner.booth.photos.photo_check import check_photo, edge_width, find_proble
 from cloner.booth.photos.photo_problems import PhotoCheck, PhotoProblem
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
-from cloner.records.points import Proposal
+from cloner.records.proposals import Proposal
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from cloner.detectors.nets.portraits import is_cut_below
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.views import Camera
 from cloner.stages.figures import NobodySeen
 from cloner.stages.photo_checks import check_photos

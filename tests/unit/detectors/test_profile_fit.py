@@ -14,7 +14,8 @@ from cloner.detectors.face.profile_judge import face_share, features, load_judge
 from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import ViewId
 from cloner.records.labels import Label
-from cloner.records.points import Proposal, expected_face_error, face_confidence
+from cloner.records.points import expected_face_error, face_confidence
+from cloner.records.proposals import Proposal
 
 SIZE = (700, 560)  # height, width
 IOD_M = 0.063

@@ -11,7 +11,7 @@ import pytest
 from cloner.geometry.charts.iris import EYE_CORNERS, sclera_to_skin, skin_around_eyes
 from cloner.records.heads import HeadFit
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.stages.textures import observed_eye_colours
 from cloner.vision.retouching.painting import paint_eye
 from kit import studio

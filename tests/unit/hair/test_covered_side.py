@@ -10,7 +10,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.hair.volumes.covered_side import align_heads, covered_side_views, level_camera
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from tests.kit import painted, people, studio
 

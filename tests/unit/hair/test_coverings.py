@@ -13,7 +13,7 @@ from cloner.hair.clothing.coverings import head_covering, merge_covering_labels
 from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 
 SIZE = 200
 SCALP = np.zeros((SIZE, SIZE), bool)

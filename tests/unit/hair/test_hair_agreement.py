@@ -14,7 +14,8 @@ from cloner.geometry.outlines.silhouette import vertex_normals
 from cloner.hair.volumes import agreement as hair_agreement
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.labels import Label
-from cloner.records.points import Proposals, ViewPoints
+from cloner.records.points import ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

@@ -9,7 +9,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.hair.volumes.views import ONE_SIDED, hair_views, one_sided_share
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from tests.kit import painted, people, studio
 

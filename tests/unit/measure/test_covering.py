@@ -12,7 +12,7 @@ from cloner.generic.load import load_generic
 from cloner.measure.covering import covered_slices, find_covers
 from cloner.records.labels import Label
 from cloner.records.measures import Cover
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from kit import painted, people, studio
 
 VIEWS = ("body_front", "body_back")

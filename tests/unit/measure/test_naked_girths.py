@@ -12,7 +12,7 @@ from cloner.geometry.measurement.measuring import ALL_KEYS, measures_mm
 from cloner.labels.naked_edges import TRUNK
 from cloner.measure.naked_girths import naked_girths
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

@@ -12,7 +12,7 @@ from cloner.generic.load import load_generic
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.measures import Cover
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

@@ -9,7 +9,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.measurement.measuring import ALL_KEYS
 from cloner.measure.side_arms import LEVELS, hidden_rows
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import people, studio
 

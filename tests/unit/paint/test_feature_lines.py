@@ -13,7 +13,7 @@ from cloner.generic.photo_shares import arms
 from cloner.paint.lookups.feature_lines import align_feature_lines
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import gather_sources
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import painted, people, studio
 

@@ -17,7 +17,7 @@ from cloner.paint.details.glasses import glasses_shell
 from cloner.paint.details.glasses_texture import BAND_PX, LENS_PX
 from cloner.records.bodies import PosedView
 from cloner.records.labels import Label
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.records.views import Camera
 from kit import studio
 

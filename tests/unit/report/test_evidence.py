@@ -11,7 +11,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.pipeline import StageReport
 from cloner.records.bodies import PosedView
-from cloner.records.points import Proposals
+from cloner.records.proposals import Proposals
 from cloner.report.agreement import PhotoAgreement, compare
 from cloner.report.evidence import contradicting_photos, is_better
 from cloner.report.standing import azimuth_degrees, pose_warnings

@@ -16,7 +16,8 @@ from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
 from cloner.records.measures import MEASURE_KEYS, Cover
 from cloner.records.photos import Person, Photo, PhotoSet
-from cloner.records.points import ObeyedPoint, PointSet, Proposal, Proposals, ViewPoints
+from cloner.records.points import ObeyedPoint, PointSet, ViewPoints
+from cloner.records.proposals import Proposal, Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import View, ViewSet

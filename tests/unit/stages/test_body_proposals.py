@@ -13,7 +13,8 @@ from cloner.detectors.nets.results import PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.labels import Label
-from cloner.records.points import PhotoState, Proposals, StateKind, ViewPoints, confidence_of, expected_error
+from cloner.records.points import PhotoState, StateKind, ViewPoints, confidence_of, expected_error
+from cloner.records.proposals import Proposals
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.points import body_proposals, point_warnings
 from kit import net as known_net

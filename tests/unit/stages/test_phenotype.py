@@ -11,7 +11,8 @@ from cloner.generic.body_net import LANDMARKS, base_position, net_points
 from cloner.generic.load import load_generic
 from cloner.generic.seen_points import NAMES
 from cloner.records.photos import Person
-from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import phenotype, views
 from kit import people, studio

@@ -16,7 +16,8 @@ from cloner.labels.evidence import LabelEvidence
 from cloner.labels.evidence import label_evidence as whole_look
 from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Corrections, Proposals, ViewPoints
+from cloner.records.points import Corrections, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner.stages import figures, photo_checks, points
 from cloner.stages.figures import NobodySeen, nobody_seen
 from cloner.stages.hidden import SOMEBODY, shares_colours

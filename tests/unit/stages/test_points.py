@@ -5,7 +5,8 @@ import pytest
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.records.points import Correction, Corrections, Proposal, Proposals, ViewPoints
+from cloner.records.points import Correction, Corrections, ViewPoints
+from cloner.records.proposals import Proposal, Proposals
 from cloner.stages import points
 from cloner.stages.photo_checks import check_photos
 from kit import studio

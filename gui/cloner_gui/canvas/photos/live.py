@@ -13,7 +13,8 @@ from cloner.booth.visitors.cached_work import cached_values
 from cloner.frames import ViewId
 from cloner.interactive.relinking import LiveOutline, Step, follow_corrections, live_outline
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Corrections, Proposals, ViewPoints
+from cloner.records.points import Corrections, ViewPoints
+from cloner.records.proposals import Proposals
 from cloner_gui.background.worker import Task
 
 Borders = tuple[NDArray[np.float64], ...]
