@@ -61,12 +61,16 @@ class LabelEvidence:
     seen_px: Points
     naked_px: Points
 
+    def rough_person(self, shape: tuple[int, ...]) -> Floats:
+        """Return the probability (H, W) that a pixel shows the person, without the closer look at the head."""
+        return np.asarray(1.0 - resized_to(self.whole[Label.BACKGROUND], shape), np.float32)
+
     def person(self, shape: tuple[int, ...]) -> Floats:
         """Return the probability (H, W) that a pixel shows the person."""
-        found = 1.0 - resized_to(self.whole[Label.BACKGROUND], shape)
+        found = self.rough_person(shape)
         if self.near is not None and self.box is not None:
             found[self.box] = 1.0 - resized_to(self.near[Label.BACKGROUND], found[self.box].shape)
-        return np.asarray(found, np.float32)
+        return found
 
 
 def label_evidence(

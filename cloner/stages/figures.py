@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final, cast
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,10 +22,12 @@ from cloner.labels.evidence import LabelEvidence, label_evidence
 from cloner.labels.photo import label_photo
 from cloner.records.photos import Photo
 from cloner.vision.segmentation.masks import refine_mask
+from cloner.vision.segmentation.pieces import connected_pieces
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.figures")
 
+AGREED: Final = _CALIBRATED.number("agreed", "share")
 DENIED: Final = _CALIBRATED.number("denied", "score")
 LABELLED: Final = _CALIBRATED.number("labelled", "share")
 LEAST_PERSON = _CALIBRATED.number("least_person", "share")
@@ -90,8 +93,31 @@ class Figure:
     naked_px: NDArray[np.float64]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Look:
+    """What the pose net and the label net say of the person in a photo.
+
+    Attributes
+    ----------
+    pose : PoseResult
+    labels : LabelEvidence
+    agreement : float
+        Intersection over union of the person by either net.
+    is_cut : bool
+        Whether the label net sees the person continue beyond where the pose net does.
+    """
+
+    pose: PoseResult
+    labels: LabelEvidence
+    agreement: float
+    is_cut: bool
+
+
 def find_figure(photo: Photo) -> Figure:
     """Return pose, face, mask and labels of one photo.
+
+    Where no detector sees the person, or the nets disagree about it, the label net looks at the whole photo; what both
+    nets agree about best counts.
 
     Raises
     ------
@@ -99,22 +125,35 @@ def find_figure(photo: Photo) -> Figure:
         If the photo does not show exactly one person.
     """
     try:
-        pose = DETECTORS.get("pose")(photo.rgb, check_people(photo))
+        pose: PoseResult | None = DETECTORS.get("pose")(photo.rgb, check_people(photo))
     except NobodySeen:
-        pose = _pose_of_undetected(photo)
-    if pose is None:
-        raise nobody_seen(photo)
-    pose = pose_by_mirror(photo.rgb, photo.view, pose, DETECTORS.get("pose"))
-    if float((pose.mask > 0.5).mean()) < LEAST_PERSON:
-        raise nobody_seen(photo)
+        pose = None
     face = frontal_face(photo)
-    looks = _label_person(photo, pose.mask, pose.points_px, face)
-    if photo.view.is_body and is_cut_by_crop(person_crop(pose.mask > 0.5, photo.view), looks.person(pose.mask.shape)):
-        whole = _pose_of_undetected(photo)  # the detector's circle ended at the shins
-        if whole is not None:
-            pose = pose_by_mirror(photo.rgb, photo.view, whole, DETECTORS.get("pose"))
-            looks = _label_person(photo, pose.mask, pose.points_px, face)
-    return _figure(photo, pose.points_px, np.asarray(pose.visibility, dtype=np.float64), pose.mask, face, looks)
+    look = _look(photo, pose, face)
+    if look is None or (photo.view.is_body and (look.is_cut or look.agreement < AGREED)):
+        second = _look(photo, _pose_of_undetected(photo), face)
+        if look is None or (second is not None and (look.is_cut or second.agreement > look.agreement)):
+            look = second
+    if look is None:
+        raise nobody_seen(photo)
+    pose = look.pose
+    visibility = np.asarray(pose.visibility, dtype=np.float64)
+    return _figure(photo, pose.points_px, visibility, pose.mask, face, look.labels)
+
+
+def _look(photo: Photo, pose: PoseResult | None, face: Face) -> Look | None:
+    """Return what both nets say of the person of a pose, None where next to nothing of the photo is one."""
+    if pose is None:
+        return None
+    pose = pose_by_mirror(photo.rgb, photo.view, pose, DETECTORS.get("pose"))
+    inside = pose.mask > 0.5
+    if float(inside.mean()) < LEAST_PERSON:
+        return None
+    labels = _label_person(photo, pose.mask, pose.points_px, face)
+    person = labels.person(inside.shape)
+    seen = person > 0.5
+    agreement = float(np.count_nonzero(inside & seen) / np.count_nonzero(inside | seen))
+    return Look(pose, labels, agreement, is_cut_by_crop(person_crop(inside, photo.view), person))
 
 
 def _pose_of_undetected(photo: Photo) -> PoseResult | None:
@@ -197,9 +236,18 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
 
 
 def _label_mask(photo: Photo) -> NDArray[np.float32]:
-    """Return the person's probability (H, W) by the label net over the whole photo."""
-    everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
-    return label_evidence(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
+    """Return the person's probability (H, W) by the label net: in the whole photo, then around whom it saw there.
+
+    The second look finds the head of somebody who stands small in the photo.
+    """
+    seen = np.ones(photo.rgb.shape[:2], np.bool_)
+    features = DETECTORS.get("label_features")
+    rough = label_evidence(photo.rgb, seen, photo.view, features).rough_person(seen.shape) > 0.5
+    if rough.any():
+        box, pieces, figures = connected_pieces(rough)
+        seen = np.zeros_like(rough)
+        seen[box] = pieces == 1 + figures[1:, cv2.CC_STAT_AREA].argmax()
+    return label_evidence(photo.rgb, seen, photo.view, features).person(seen.shape)
 
 
 def standing_mask(photo: Photo) -> NDArray[np.bool_] | None:
