@@ -11,13 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.clothing.hoods import HOOD, hood_pixels, visible_scalp
-from cloner.hair.volumes.pictures import distances_px, similar_colours
+from cloner.hair.clothing.hoods import (
+    HOOD,
+    hood_pixels,
+    pieces_on,
+    visible_scalp,
+    without_thin_gaps,
+    without_thin_parts,
+)
+from cloner.hair.volumes.pictures import distances_px, fill_small_holes
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
 from cloner.records.proposals import Proposals
+from cloner.vision.segmentation.colours import colour_ratio, quantise_colours
+from cloner.vision.segmentation.pieces import connected_pieces
 
 Bools = NDArray[np.bool_]
 
@@ -35,6 +44,8 @@ SEED_SHARE: Final = 0.2
 #: labels take for hair and scarves: .65, .98, 2.2 in three photos; four scarves, two beanies, a cap: .28 at most but
 #: in one photo.
 GOES_ON: Final = 0.5
+#: Pieces of a face smaller than this share of the largest are not the face.
+FACE_PIECE: Final = 0.2
 CLOTHES: Final = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES)
 ACCESSORY: Final = (Label.ACCESSORY,)
 #: Never part of a covering.
@@ -147,10 +158,10 @@ def head_covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bool
     rows, columns = np.flatnonzero(scalp.any(axis=1)), np.flatnonzero(scalp.any(axis=0))
     if not rows.size:
         return cloth
-    height = int(np.ptp(rows)) + 1
+    size = int(max(np.ptp(rows), np.ptp(columns))) + 1
     box = np.s_[
-        max(rows[0] - height // 2, 0) : rows[-1] + int(HANGS * height) + 1,
-        max(columns[0] - height, 0) : columns[-1] + height + 1,
+        max(rows[0] - size // 2, 0) : rows[-1] + int(HANGS * size) + 1,
+        max(columns[0] - size, 0) : columns[-1] + size + 1,
     ]
     place, shown = scalp[box], labels[box]
     seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES)
@@ -159,12 +170,49 @@ def head_covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bool
         seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES, Label.HAIR)
     if not seed.any():
         return cloth
-    alike = similar_colours(rgb[box], seed, BLUR_SHARE * height)
+    before = before_face(shown)
+    seed |= pieces_on((shown == Label.ACCESSORY) & ~before, place, 0.0)
     # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
-    crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + height // 2
+    crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + size // 2
     # and where hair may be hair, clothes and necks of its colour are no cloth that hangs from the head
     elsewhere = (Label.FACE_SKIN, Label.HAIR, *((Label.BODY_SKIN, *CLOTHES) if hairy else ()))
-    alike &= ~shows(shown, *BARE) & (place | crown | ~shows(shown, *elsewhere))
-    pieces = cv2.connectedComponents((alike | seed).astype(np.uint8), connectivity=4)[1]
-    cloth[box] = np.isin(pieces, np.unique(pieces[seed & alike])) & (alike | seed) & (pieces > 0)
+    allowed = ~shows(shown, *BARE) & ~before & (place | crown | ~shows(shown, *elsewhere))
+    alike = looks_as(rgb[box], shown, seed, ~(place | crown | seed), BLUR_SHARE * size) & allowed
+    whole = fill_small_holes(without_thin_gaps(alike | seed, size) & allowed)
+    cloth[box] = pieces_on(without_thin_parts(whole, size), seed & alike, 0.0)
     return cloth
+
+
+def before_face(labels: NDArray[np.uint8]) -> Bools:
+    """Return the pixels (H, W) of what is worn before a face: glasses."""
+    found = np.zeros(labels.shape, np.uint8)
+    box, pieces, figures = connected_pieces(labels == Label.FACE_SKIN)
+    area = figures[:, cv2.CC_STAT_AREA]
+    if len(area) > 1:
+        large = np.flatnonzero(area[1:] >= FACE_PIECE * area[1:].max()) + 1
+        down, across = np.nonzero(np.isin(pieces, large))
+        around = np.column_stack([across + box[1].start, down + box[0].start]).astype(np.int32)
+        cv2.fillConvexPoly(found, cv2.convexHull(around), 1)
+    return (found > 0) & (labels == Label.ACCESSORY)
+
+
+def looks_as(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], seed: Bools, apart: Bools, blur_px: float) -> Bools:
+    """Return the person's pixels (H, W) whose colour occurs more among a cloth's seed than among what else is worn.
+
+    Colours are counted, so that a cloth may have several: stripes, dots.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    labels : (H, W) uint8
+    seed : (H, W) bool
+    apart : (H, W) bool
+        Where skin and garments are surely something else.
+    """
+    smooth = cv2.GaussianBlur(rgb, (0, 0), max(blur_px, 0.5))
+    person = labels != Label.BACKGROUND
+    palette = quantise_colours(np.asarray(cv2.cvtColor(smooth, cv2.COLOR_RGB2LAB), np.uint8), person)
+    other = apart & shows(labels, Label.FACE_SKIN, Label.BODY_SKIN, *CLOTHES)
+    found = np.zeros(labels.shape, np.bool_)
+    found[person] = colour_ratio(palette, seed, other, person, window_px=float(max(labels.shape)))[0] > 0.0
+    return found

@@ -42,7 +42,7 @@ def relabel_single_hoods(
         return views
     found = []
     for view, place in zip(views, places, strict=True):
-        wrong = _pieces_on(view.clothed, place, 0.5) & place
+        wrong = pieces_on(view.clothed, place, 0.5) & place
         if wrong.any():
             hair, to_hair, to_hairline, _ = distances_px(view.hair | wrong, view.outline_px > 0.0)
             view = replace(view, hair=hair, hair_px=to_hair, line_px=to_hairline)
@@ -66,15 +66,27 @@ def hood_pixels(
         Pixels before which the scalp lies.
     """
     size = max(int(np.count_nonzero(scalp.any(axis=axis))) for axis in (0, 1))
-    accessory = (labels == Label.ACCESSORY).astype(np.uint8)
-    side = 2 * int(np.ceil(0.5 * GLASSES * size)) + 1
-    thick = cv2.morphologyEx(accessory, cv2.MORPH_OPEN, np.ones((side, side), np.uint8)) > 0
-    worn = shows(labels, *GARMENTS, Label.HAIR) | thick | alike
+    worn = shows(labels, *GARMENTS, Label.HAIR) | without_thin_parts(labels == Label.ACCESSORY, size) | alike
     worn[max(int(np.ceil(neck_px)), 0) :] = False
-    return _pieces_on(worn, scalp, 0.0)
+    return pieces_on(worn, scalp, 0.0)
 
 
-def _pieces_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
+def without_thin_parts(worn: NDArray[np.bool_], scalp_px: int) -> NDArray[np.bool_]:
+    """Return what is worn on a head (H, W) without what is as thin as glasses."""
+    return np.asarray(cv2.morphologyEx(worn.astype(np.uint8), cv2.MORPH_OPEN, _thin(scalp_px)) > 0)
+
+
+def without_thin_gaps(worn: NDArray[np.bool_], scalp_px: int) -> NDArray[np.bool_]:
+    """Return what is worn on a head (H, W), joined where a gap is as narrow as glasses: a fold, a stripe."""
+    return np.asarray(cv2.morphologyEx(worn.astype(np.uint8), cv2.MORPH_CLOSE, _thin(scalp_px)) > 0)
+
+
+def _thin(scalp_px: int) -> NDArray[np.uint8]:
+    side = 2 * int(np.ceil(0.5 * GLASSES * scalp_px)) + 1
+    return np.ones((side, side), np.uint8)
+
+
+def pieces_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
     """Return the components (H, W) with more than a share of their area on a region."""
     box, pieces, figures = connected_pieces(clothed)
     inside = np.bincount(pieces[place[box]], minlength=len(figures))

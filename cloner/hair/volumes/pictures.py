@@ -41,16 +41,16 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
     if area.any():
         kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
         if proposal.view is ViewId.BODY_BACK:
-            kept[box] |= _small_holes(kept[box])
+            kept[box] = fill_small_holes(kept[box])
     return kept
 
 
-def _small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the small holes (H, W) in hair: from behind they are highlights, neither ear nor face."""
+def fill_small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return hair or cloth (H, W) without small holes: they are highlights and dots, neither ear nor face."""
     _, pieces, figures, _ = cv2.connectedComponentsWithStats((~np.pad(hair, 1)).astype(np.uint8), connectivity=4)
     small = figures[:, cv2.CC_STAT_AREA] < LARGEST_HOLE * np.count_nonzero(hair)
     small[[0, pieces[0, 0]]] = False  # the hair itself, and what lies around it
-    return np.asarray(small[pieces[1:-1, 1:-1]], np.bool_)
+    return np.asarray(hair | small[pieces[1:-1, 1:-1]], np.bool_)
 
 
 def similar_colours(rgb: NDArray[np.uint8], seed: NDArray[np.bool_], blur_px: float) -> NDArray[np.bool_]:
