@@ -196,7 +196,7 @@ def before_face(labels: NDArray[np.uint8]) -> Bools:
         down, across = np.nonzero(np.isin(pieces, large))
         around = np.column_stack([across + box[1].start, down + box[0].start]).astype(np.int32)
         cv2.fillConvexPoly(found, cv2.convexHull(around), 1)
-    return (found > 0) & (labels == Label.ACCESSORY)
+    return np.asarray((found > 0) & (labels == Label.ACCESSORY), np.bool_)
 
 
 def looks_as(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], seed: Bools, apart: Bools, blur_px: float) -> Bools:

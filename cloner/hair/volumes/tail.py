@@ -20,6 +20,10 @@ WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail
 FARTHEST_ASIDE_MM = 40.0  # a tail is looked for this far beside where the side photo has it
 LEAST_ALONE = 0.3  # of a tail's rows stand alone in the back photo; above them the head's hair lies behind it
 THINNEST_MM = 10.0  # thin plaits
+#: A bun's height against its depth, how much of both it fills, and how far below the head's middle it reaches. Three
+#: buns 1.2 to 1.5, .50 to .66, above it; of 40 others with free hair none meets all three: a cap's brim fills .62 and
+#: is .6 as high as deep, the thick hair of afros fills .44 at most, collars of scarves reach 130 mm below.
+KNOT, KNOT_FILL, LOWEST_KNOT_MM = (0.8, 1.6), 0.47, 80.0
 AIR_MM = 3.0  # taste: between a tail and the neck; labels err by less
 FREE_MM = 30.0  # a tail hangs farther than this from body and cap; nearer is their own error: a fin behind the head
 SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
@@ -126,12 +130,13 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
     """Return the hair pixels (H, W) of a side photo beside body and cap, if there is enough to hang.
 
     What stands above the head hangs from nothing: the dome of a cap, which all photos see, would be a knob of one.
+    Right above what hangs on one side of the head it goes on: a bun, a high tail.
     """
     pixel_mm = view.pixel_mm(view.to_view(cap_m))
-    free = (view.hair & ~head).astype(np.uint8)
-    free[: int(head.any(axis=1).argmax())] = 0
     least = max(3, int(np.ceil(THINNEST_MM / pixel_mm)))
-    free = cv2.morphologyEx(free, cv2.MORPH_OPEN, np.ones((least, least), np.uint8))
+    beside = cv2.morphologyEx((view.hair & ~head).astype(np.uint8), cv2.MORPH_OPEN, np.ones((least, least), np.uint8))
+    top, free = int(head.any(axis=1).argmax()), beside.copy()
+    free[:top] = 0
     _, pieces, stats, _ = cv2.connectedComponentsWithStats(free, connectivity=8)
     area = stats[:, cv2.CC_STAT_AREA] * pixel_mm**2
     away = np.zeros(len(stats))
@@ -140,7 +145,11 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
     np.maximum.at(away, pieces[there], to_head * pixel_mm)
     hangs = (area >= SMALLEST_TAIL_MM2) & (away >= FREE_MM)
     hangs[0] = False
-    return np.asarray(hangs[pieces], np.bool_)
+    found = np.asarray(hangs[pieces], np.bool_)
+    crown = int(np.flatnonzero(head[top]).mean()) if head.any() else 0
+    if found[top, :crown].any() != found[top, crown:].any():
+        found[:top] = (beside[:top] > 0) & found[top]
+    return found
 
 
 def hangs_clear(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_], cap_m: Array) -> NDArray[np.bool_]:
@@ -183,11 +192,13 @@ def tail_course(
     back = next((v for v in views if v.posed.view is ViewId.BODY_BACK), None)
     found = [_back_width(back, point) for point in rest] if back is not None else []
     good = [k for k, width in enumerate(found) if width is not None]
-    if back is not None and len(good) < LEAST_ALONE * len(rows):
+    alone = back is None or len(good) >= LEAST_ALONE * len(rows)
+    if not alone and not (is_knot(free) and mm_from_m(head_m[1] - rest[:, 1].min()) < LOWEST_KNOT_MM):
         return None
-    if not good:
+    if not alone or not good:
+        middle = float(np.median([width[0] for width in found if width is not None] or [middle_m]))
         return (
-            (lambda height_m: np.full(len(height_m), middle_m)),
+            (lambda height_m: np.full(len(height_m), middle)),
             (lambda height_m: np.full(len(height_m), np.inf)),
             1.0,
         )
@@ -200,6 +211,12 @@ def tail_course(
         lambda height_m: 0.5 * np.interp(height_m, heights, breadths),
         ratio,
     )
+
+
+def is_knot(free: NDArray[np.bool_]) -> bool:
+    """Return whether free hair (H, W) is as compact as a bun, which is as wide as it is deep."""
+    high, deep = int(free.any(axis=1).sum()), int(free.sum(axis=1).max())
+    return KNOT[0] * deep <= high <= KNOT[1] * deep and int(free.sum()) >= KNOT_FILL * high * deep
 
 
 def _back_width(back: HairView | None, point_m: Array) -> tuple[float, float] | None:

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cloner.hair.volumes.tail import free_hair, hangs_clear
+from cloner.hair.volumes.tail import free_hair, hangs_clear, is_knot
 
 SIZE = (300, 300)
 ROWS, COLUMNS = np.mgrid[: SIZE[0], : SIZE[1]]
@@ -51,3 +51,12 @@ def test_thick_hair_lies_on_the_head_all_the_way_down_and_a_tail_does_not(tail):
         view = side_photo(hair)
         assert hair.any()
         assert hangs_clear(view, hair, HEAD, np.zeros((1, 3)))[hair].all() == hangs
+
+
+def test_a_bun_goes_on_above_the_head_and_is_told_from_a_strand(tail):
+    bun = np.hypot(ROWS - 100, COLUMNS - 228) < 45
+    seen = found(bun)
+    assert seen[bun & ~HEAD].mean() > 0.95
+    assert is_knot(seen)
+    assert not is_knot(found(tail))
+    assert not is_knot(bun & (np.hypot(ROWS - 110, COLUMNS - 210) > 45)), "a crescent of thick hair"
