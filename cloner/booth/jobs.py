@@ -52,7 +52,7 @@ class Jobs:
         self._show = show
         self._proposals: OrderedDict[tuple[str, ViewId], Proposal] = OrderedDict()
 
-    def look(self, path: Path, wanted: ViewId | None, progress: Progress) -> PhotoCheck:
+    def check_photo(self, path: Path, wanted: ViewId | None, progress: Progress) -> PhotoCheck:
         """Return a photo's view and its problems; the nets' results are cached."""
         progress("look", 0.0)
         photo = load_photo(path, wanted or ViewId.BODY_FRONT)
@@ -124,7 +124,7 @@ class Jobs:
         """Make what the page for phones shows of a visitor; see `cloner.booth.phone.parcel.pack`."""
         return pack(folder, result, progress)
 
-    def stroll(self, folder: Path, result: Path, progress: Progress) -> Path:
+    def draw_walk(self, folder: Path, result: Path, progress: Progress) -> Path:
         """Draw a visitor's walking clone for the visitors' screen; see
         `cloner.booth.walk_pictures.draw_walk_pictures`.
         """

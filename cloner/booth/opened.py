@@ -111,7 +111,7 @@ class Opened:
     warnings : tuple of str
     tray : tuple of TrayPhoto
         Photos that show no view yet.
-    looks : mapping of str to PhotoCheck
+    checks : mapping of str to PhotoCheck
         What was found of photos, by digest.
     thumbnails : mapping of ViewId to (h, w, 3) uint8
     proposed : mapping
@@ -128,7 +128,7 @@ class Opened:
     corrections: Corrections
     warnings: tuple[str, ...] = ()
     tray: tuple[TrayPhoto, ...] = ()
-    looks: Mapping[str, PhotoCheck] = field(default_factory=dict)
+    checks: Mapping[str, PhotoCheck] = field(default_factory=dict)
     thumbnails: Mapping[ViewId, NDArray[np.uint8]] = field(default_factory=dict)
     proposed: Mapping[str, Any] = field(default_factory=dict)
     cloned: Cloned | None = None

@@ -61,7 +61,7 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     event.booth.throw_away(thrown)
     qtbot.waitUntil(lambda: not thrown.exists() and event.booth.opening is None)
     folder = samples / "anna" / "plain"
-    jobs.looks[file_digest(folder / "body_side.jpg")] = (ViewId.BODY_FRONT, (PhotoProblem.SMALL, PhotoProblem.BLURRED))
+    jobs.checks[file_digest(folder / "body_side.jpg")] = (ViewId.BODY_FRONT, (PhotoProblem.SMALL, PhotoProblem.BLURRED))
     begin(event, qtbot)
     event.booth.save_person("Annemarie Sommerfeld-Müller", 171.0)
     event.go(1)

@@ -114,7 +114,7 @@ def test_dropped_photos_find_their_places_and_troubles_are_told(event, jobs, qtb
         target = folder.parent.parent / f"DSC{number:04d}.jpg"
         target.write_bytes((source / f"{view}.jpg").read_bytes())
 
-        jobs.looks[file_digest(target)] = (view, (PhotoProblem.BLURRED,) if view is ViewId.BODY_SIDE else ())
+        jobs.checks[file_digest(target)] = (view, (PhotoProblem.BLURRED,) if view is ViewId.BODY_SIDE else ())
     drop(event.photos, *sorted(folder.parent.parent.glob("DSC*.jpg")))
     settled(event, qtbot)
     assert set(view_files(folder)) == set(ViewId)

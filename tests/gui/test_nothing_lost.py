@@ -201,12 +201,12 @@ def test_cancelling_the_question_for_the_cameras_folder_keeps_it(event, qtbot, t
 
 def test_all_dropped_photos_are_stored_before_the_first_is_judged(event, jobs, qtbot, samples, tmp_path):  # noqa: F811
     folder = begin(event, qtbot)
-    jobs.hold_looks = threading.Event()
+    jobs.hold_checks = threading.Event()
     drop(event.photos, *(samples / "anna" / "plain" / f"{view}.jpg" for view in ViewId))
     try:
         qtbot.waitUntil(lambda: len(new_photos(folder)) == 5)
     finally:
-        jobs.hold_looks.set()
+        jobs.hold_checks.set()
     settled(event, qtbot)
     assert set(view_files(folder)) == set(ViewId)
     assert new_photos(folder) == ()

@@ -31,7 +31,7 @@ def services():
     from cloner.project.folder import view_files
     from kit import walker
 
-    def look(path, wanted, progress):
+    def check_photo(path, wanted, progress):
         """Say that a photo shows the first view that has none yet."""
         free = [view for view in walker.VIEWS if ViewId(view) not in view_files(path.parents[1])]
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
@@ -44,7 +44,7 @@ def services():
 
         return hand_over(result, target, ("ply",), tell)
 
-    return replace(walker.services(), look=look, hand_over=slow)
+    return replace(walker.services(), check_photo=check_photo, hand_over=slow)
 
 
 def stored(folder: Path) -> list[str]:

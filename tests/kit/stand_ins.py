@@ -29,18 +29,18 @@ class Jobs:
         self.wait_for_cancel = False
         self.started = threading.Event()
         self.seen = []
-        self.looks = {}
+        self.checks = {}
         self.default = None
-        self.hold_points = self.hold_looks = self.hold_copies = None
+        self.hold_points = self.hold_checks = self.hold_copies = None
 
     def services(self):
-        return Services(look=self.look, propose=self.propose, clone=self.clone, hand_over=self.hand_over)
+        return Services(check_photo=self.check_photo, propose=self.propose, clone=self.clone, hand_over=self.hand_over)
 
-    def look(self, path, wanted, progress):
-        while self.hold_looks is not None and not self.hold_looks.wait(0.01):
+    def check_photo(self, path, wanted, progress):
+        while self.hold_checks is not None and not self.hold_checks.wait(0.01):
             progress("look", 0.0)
         photo = decode_photo(path, wanted or ViewId.BODY_FRONT)
-        view, troubles = self.looks.get(photo.digest, self.default or (wanted, ()))
+        view, troubles = self.checks.get(photo.digest, self.default or (wanted, ()))
         return PhotoCheck(photo.digest, view, troubles)
 
     def propose(self, folder, photos, progress):

@@ -35,7 +35,7 @@ def services():
     from cloner.records.points import ViewPoints
     from cloner_gui.event.services import Services
 
-    def look(path, wanted, progress):
+    def check_photo(path, wanted, progress):
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
         return PhotoCheck(digest, wanted or view_of_name(path.name), ())
 
@@ -59,7 +59,7 @@ def services():
         raise NotImplementedError
 
     assert ViewId
-    return Services(look=look, propose=propose, clone=clone, hand_over=hand_over)
+    return Services(check_photo=check_photo, propose=propose, clone=clone, hand_over=hand_over)
 
 
 def known(window) -> dict:

@@ -56,27 +56,27 @@ class Day:
 
 
 def statistics_by_day(
-    visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, PhotoCheck]]
+    visits: Mapping[Path, Visit], checks: Callable[[Path], Mapping[str, PhotoCheck]]
 ) -> tuple[Day, ...]:
     """Return the statistics of every day, the latest day first.
 
     Parameters
     ----------
     visits : mapping of Path to Visit
-    looks : callable
+    checks : callable
         Returns what was found of a visitor's photos.
     """
     found: dict[str, list[Path]] = {}
     for folder, visit in visits.items():
         found.setdefault(_date(visit.started), []).append(folder)
     return tuple(
-        _day(date, {folder: visits[folder] for folder in folders}, looks)
+        _day(date, {folder: visits[folder] for folder in folders}, checks)
         for date, folders in sorted(found.items(), reverse=True)
     )
 
 
-def _day(date: str, visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, PhotoCheck]]) -> Day:
-    photos = Counter(trouble for folder in visits for look in looks(folder).values() for trouble in look.troubles)
+def _day(date: str, visits: Mapping[Path, Visit], checks: Callable[[Path], Mapping[str, PhotoCheck]]) -> Day:
+    photos = Counter(trouble for folder in visits for check in checks(folder).values() for trouble in check.troubles)
     failures = Counter(_reason(visit.problem) for visit in visits.values() if visit.state is State.FAILED)
     waited = [_minutes(visit.queued, visit.finished) for visit in visits.values()]
     cloned = sum(visit.state is State.CLONED for visit in visits.values())

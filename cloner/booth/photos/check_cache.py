@@ -14,20 +14,20 @@ from cloner.project.atomic import write_text
 from cloner.project.texts import LARGEST_BYTES
 from cloner.untrusted import read_untrusted
 
-LOOKS_FILE: Final = "looks.json"
+CHECKS_FILE: Final = "looks.json"
 
 
 def read_checks(folder: Path) -> dict[str, PhotoCheck]:
     """Return cached checks by digest; missing, damaged or outdated ones are computed again."""
     try:
-        data = json.loads(read_untrusted(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
-        found = [_look(digest, one) for digest, one in data.items()]
+        data = json.loads(read_untrusted(folder / WORK / CHECKS_FILE, LARGEST_BYTES))
+        found = [_check(digest, one) for digest, one in data.items()]
     except (OSError, ValueError, AttributeError, RecursionError):
         return {}
-    return {look.digest: look for look in found if look is not None}
+    return {check.digest: check for check in found if check is not None}
 
 
-def _look(digest: str, data: Mapping[str, object]) -> PhotoCheck | None:
+def _check(digest: str, data: Mapping[str, object]) -> PhotoCheck | None:
     """Return one photo's entry; None if it is not as :func:`store_check` writes it."""
     try:
         view, troubles, passes = data["view"], data["troubles"], data["passes"]
@@ -41,7 +41,7 @@ def _look(digest: str, data: Mapping[str, object]) -> PhotoCheck | None:
         return None
 
 
-def store_check(folder: Path, look: PhotoCheck) -> None:
+def store_check(folder: Path, check: PhotoCheck) -> None:
     """Add the check of one photo.
 
     Raises
@@ -49,10 +49,10 @@ def store_check(folder: Path, look: PhotoCheck) -> None:
     ClonerError
         If the folder cannot be written.
     """
-    looks = {**read_checks(folder), look.digest: look}
+    checks = {**read_checks(folder), check.digest: check}
     data = {
         one.digest: {"view": one.view, "troubles": list(one.troubles), "passes": sorted(one.passes)}
-        for one in looks.values()
+        for one in checks.values()
     }
     (folder / WORK).mkdir(exist_ok=True)
-    write_text(folder / WORK / LOOKS_FILE, json.dumps(data, indent=1) + "\n")
+    write_text(folder / WORK / CHECKS_FILE, json.dumps(data, indent=1) + "\n")

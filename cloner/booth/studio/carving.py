@@ -110,7 +110,7 @@ class Carving:
         clone = self._base(onto)
         return clone, usual_blobs(clone.vertices_m, clone.joints_m)
 
-    def lay_blobs(self, onto: Path | None, blobs: tuple[Blob, ...], progress: Progress) -> Figure:
+    def place_blobs(self, onto: Path | None, blobs: tuple[Blob, ...], progress: Progress) -> Figure:
         """Return the clone's skin fitted to metaballs."""
         progress("body", 0.0)
         made, _ = clone_of_blobs(self._base(onto), blobs)

@@ -64,12 +64,12 @@ def check_and_place(services: Services, folder: Path, path: Path, progress: Prog
     if path.exists():  # it may have been taken out of the tray by hand meanwhile
         known = read_checks(folder).get(file_digest(path))
         try:
-            look = known or services.look(path, intended_view(path), progress)
+            check = known or services.check_photo(path, intended_view(path), progress)
         except ClonerError:
             remove(path)
             raise
-        store_check(folder, look)
-        place_new(folder, path, intended_view(path) or look.view)
+        store_check(folder, check)
+        place_new(folder, path, intended_view(path) or check.view)
         update_visit(folder, waiting_line.with_changed_photos)
     return services.open(folder)
 
@@ -78,9 +78,9 @@ def change(services: Services, folder: Path, edit: Callable[[], object], progres
     """Edit a visitor's photos, check new ones, and return the visitor as read again."""
     edit()
     opened = services.open(folder)
-    fresh = [photo for photo in opened.photos.photos.values() if photo.digest not in opened.looks]
+    fresh = [photo for photo in opened.photos.photos.values() if photo.digest not in opened.checks]
     for photo in fresh:
-        store_check(folder, services.look(folder / photo.name, photo.view, progress))
+        store_check(folder, services.check_photo(folder / photo.name, photo.view, progress))
     update_visit(folder, waiting_line.with_changed_photos)
     return services.open(folder) if fresh else opened
 
@@ -139,7 +139,7 @@ class Intake(QObject):
         if folder is None or self.pending():
             return
         self._judge_all(folder, new_photos(folder))
-        if any(one.digest not in self._session.looks for one in self._session.photos.photos.values()):
+        if any(one.digest not in self._session.checks for one in self._session.photos.photos.values()):
             self.edit(lambda: None)
 
     def watch(self, folder: Path | None, known: dict[Path, int] | None = None) -> None:

@@ -59,7 +59,7 @@ def pack_parcel(folder: Path, result: Path, progress: Progress) -> Path:
     return pack(folder, result, progress)
 
 
-def draw_stroll(folder: Path, result: Path, progress: Progress) -> Path:
+def draw_walk_pictures(folder: Path, result: Path, progress: Progress) -> Path:
     """Draw a visitor's walk for the visitors' screen; see `cloner.booth.walk_pictures`."""
     from cloner.booth import walk_pictures
 
@@ -83,7 +83,7 @@ class Services:
     ----------
     open : callable
         Reads a visitor's folder.
-    look : callable
+    check_photo : callable
         Takes a photo's path and the view it is meant for, or None, and says what it shows.
     propose : callable
         Takes a visitor's folder and its photos and gives the points of every photo.
@@ -92,7 +92,7 @@ class Services:
         as it grows.
     pack : callable
         Takes a visitor's folder and the result and makes what the page for telephones shows.
-    stroll : callable
+    draw_walk : callable
         Takes a visitor's folder and the result and draws the clone walking, for the visitors' screen.
     hand_over : callable
         Takes a result, a target and the formats and gives what was written.
@@ -104,13 +104,13 @@ class Services:
         Called when the window opens and closes.
     """
 
-    look: Callable[[Path, ViewId | None, Progress], PhotoCheck]
+    check_photo: Callable[[Path, ViewId | None, Progress], PhotoCheck]
     propose: Callable[[Path, PhotoSet, Progress], ProposedPoints]
     clone: Callable[[Path, Sequence[str], Progress, Show], tuple[Cloned, float]]
     hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
     open: Callable[[Path], Opened] = open_visitor
     pack: Callable[[Path, Path, Progress], Path] = pack_parcel
-    stroll: Callable[[Path, Path, Progress], Path] = draw_stroll
+    draw_walk: Callable[[Path, Path, Progress], Path] = draw_walk_pictures
     refit: Callable[[Mapping[str, object], Corrections], RefittedBody] = refit_person
     studio: Studio = no_studio
     start: Callable[[], None] = nothing
@@ -121,20 +121,20 @@ def process_services() -> Services:
     """Return the services in their processes: for the present visitor, for background clones, and for the studio."""
     desk, bench, ovens = Worker(), Worker(STUDIO), ClonePool()
     return Services(
-        look=functools.partial(_look, desk),
+        check_photo=functools.partial(_check_photo, desk),
         propose=functools.partial(_propose, desk),
         clone=functools.partial(_clone, ovens),
         hand_over=functools.partial(_hand_over, desk),
         pack=functools.partial(_pack, desk),
-        stroll=functools.partial(_stroll, ovens),
+        draw_walk=functools.partial(_draw_walk, ovens),
         studio=functools.partial(_studio, bench),
         start=desk.start,
         stop=functools.partial(_stop, desk, ovens, bench),
     )
 
 
-def _look(worker: Worker, path: Path, wanted: ViewId | None, progress: Progress) -> PhotoCheck:
-    told: PhotoCheck = worker.call("look", path, wanted, progress=progress)
+def _check_photo(worker: Worker, path: Path, wanted: ViewId | None, progress: Progress) -> PhotoCheck:
+    told: PhotoCheck = worker.call("check_photo", path, wanted, progress=progress)
     return told
 
 
@@ -197,8 +197,8 @@ def _pack(worker: Worker, folder: Path, result: Path, progress: Progress) -> Pat
     return made
 
 
-def _stroll(worker: ClonePool, folder: Path, result: Path, progress: Progress) -> Path:
-    made: Path = worker.call("stroll", folder, result, progress=progress)
+def _draw_walk(worker: ClonePool, folder: Path, result: Path, progress: Progress) -> Path:
+    made: Path = worker.call("draw_walk", folder, result, progress=progress)
     return made
 
 

@@ -65,7 +65,7 @@ class Session(QObject):
         self.height_cm: float | None = None
         self.consent = ""
         self.tray: tuple[TrayPhoto, ...] = ()
-        self.looks: dict[str, PhotoCheck] = {}
+        self.checks: dict[str, PhotoCheck] = {}
         self.thumbnails: Mapping[ViewId, NDArray[np.uint8]] = {}
         self.corrections = no_corrections()
         self.proposed: ProposedPoints = {}
@@ -101,7 +101,7 @@ class Session(QObject):
         self.folder, self.photos, self.person = opened.folder, opened.photos, opened.person
         self.corrections, self.warnings = opened.corrections, opened.warnings
         self.height_cm, self.consent = opened.height_cm, opened.consent
-        self.tray, self.looks, self.thumbnails = opened.tray, dict(opened.looks), opened.thumbnails
+        self.tray, self.checks, self.thumbnails = opened.tray, dict(opened.checks), opened.thumbnails
         self.proposed = points_by_view(opened.proposed, opened.photos)
         self.outcome, self.moved = opened.cloned, None
         self.drags = self.drags if same else 0
@@ -115,7 +115,7 @@ class Session(QObject):
         """Close the visitor: nobody is open."""
         self._stop()
         self.folder, self.photos, self.person, self.consent = None, PhotoSet({}), None, ""
-        self.tray, self.looks, self.thumbnails = (), {}, {}
+        self.tray, self.checks, self.thumbnails = (), {}, {}
         self.height_cm, self.corrections, self.warnings = None, no_corrections(), ()
         self.proposed, self.outcome, self.moved, self.drags = {}, None, None, 0
         shared_latest().drop(self, "refit")

@@ -129,12 +129,12 @@ class PhotosPage(QWidget):
         session = self._booth.session
         for view, card in self.cards.items():
             photo = session.photos.photos.get(view)
-            look = None if photo is None else session.looks.get(photo.digest)
+            check = None if photo is None else session.checks.get(photo.digest)
             verdict = "" if photo is None else translate("photos", "Being looked at…")
-            if look is not None:
+            if check is not None:
                 good = translate("photos", "✓ Good")
-                verdict = " ".join(TROUBLES[one] for one in look.troubles_as(view)) or good
-            fine = look is not None and not look.troubles_as(view)
+                verdict = " ".join(TROUBLES[one] for one in check.troubles_as(view)) or good
+            fine = check is not None and not check.troubles_as(view)
             card.show_photo(session.thumbnails.get(view), verdict, fine=fine)
         told = [what_is_missing(session.photos.photos), *(told_text(text) for text in session.warnings)]
         if session.photos.photos and not session.consent:
@@ -151,8 +151,8 @@ class PhotosPage(QWidget):
         row = QHBoxLayout(inside)
         row.setContentsMargins(0, 0, 0, 0)
         for number, photo in enumerate(session.tray, start=1):
-            look = session.looks.get(photo.digest)
-            verdict = "" if look is None else " ".join(TROUBLES[one] for one in look.troubles)
+            check = session.checks.get(photo.digest)
+            verdict = "" if check is None else " ".join(TROUBLES[one] for one in check.troubles)
             card = TrayCard(photo.thumbnail, number, verdict)
             card.use_wanted.connect(partial(self._use, photo.path))
             card.remove_wanted.connect(partial(self._booth.intake.edit, partial(photo_files.remove, photo.path)))

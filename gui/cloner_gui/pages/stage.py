@@ -125,7 +125,7 @@ class StageWindow(QWidget):
     def _may_be_seen(self) -> frozenset[Path]:
         return frozenset(shown_clones(self._booth.visits()))
 
-    def _draw_strolls(self) -> None:
+    def _draw_walks(self) -> None:
         """Draw the walk of one who may be seen and has none yet, beside everything else; then of the next."""
         if self._drawing is not None:
             return
@@ -134,7 +134,7 @@ class StageWindow(QWidget):
         if lacks:
             folder, services = lacks[0], self._booth.session.services
             self._vain.add(folder)  # asked for once: who cannot be drawn keeps nobody waiting
-            task = Task(lambda progress: services.stroll(folder, result_of(folder), progress))
+            task = Task(lambda progress: services.draw_walk(folder, result_of(folder), progress))
             self._drawing = task
             task.succeeded.connect(lambda _: self._vain.discard(folder))
             task.finished.connect(self._drawn)
@@ -143,7 +143,7 @@ class StageWindow(QWidget):
     def _drawn(self) -> None:
         self._drawing = None
         if self._shows:
-            self._draw_strolls()
+            self._draw_walks()
 
     def _next_of_day(self) -> Path | None:
         shown = shown_clones(self._booth.visits())
@@ -189,7 +189,7 @@ class StageWindow(QWidget):
             self.parade.keep(self._may_be_seen())
             if not self.parade.walkers:
                 self.go_on()
-        self._draw_strolls()
+        self._draw_walks()
         if self._shown is not None and not (self._shown in visits and visits[self._shown].shown):
             self.reveal.stop()
             self._take(None, None)

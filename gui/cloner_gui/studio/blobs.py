@@ -172,7 +172,7 @@ class BlobsWindow(StatueBench):
         self.refused.setText("")
         self._stale = self.busy
         if not self.busy and self._base is not None:
-            self.work("lay_blobs", self.onto(), self.blobs, then=self._take_figure, failed=self._refuse, quiet=True)
+            self.work("place_blobs", self.onto(), self.blobs, then=self._take_figure, failed=self._refuse, quiet=True)
 
     def _take_figure(self, made: Figure) -> None:
         if self._base is not None:

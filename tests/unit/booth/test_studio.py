@@ -64,7 +64,7 @@ def test_every_window_gets_its_clone_through_the_pipe(eva, samples):
         painted = worker.call("paint_photo", photo.rgb, photo.focal_px, photo.markers, eva, "", progress=quiet)
         assert painted.vertices_m.shape == base.vertices_m.shape
         clone, blobs = worker.call("begin_blobs", eva, progress=quiet)
-        laid = worker.call("lay_blobs", eva, blobs, progress=quiet)
+        laid = worker.call("place_blobs", eva, blobs, progress=quiet)
         assert laid.vertices_m.shape == clone.vertices_m.shape
     finally:
         worker.stop()
