@@ -13,6 +13,7 @@ from cloner.frames import ViewId
 from cloner.labels.states import State, eyes_span, read_states
 from cloner.records.labels import Label, shows
 from cloner.records.proposals import Proposal, Proposals
+from cloner.vision.segmentation.pieces import connected_pieces
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.glasses")
@@ -21,6 +22,7 @@ Flags = NDArray[np.bool_]
 
 _BAND: Final = _CALIBRATED.triple("band", "factor")
 _OWN: Final = _CALIBRATED.number("own", "share")
+_FACE_PIECE: Final = _CALIBRATED.number("face_piece", "share")
 
 
 def wears_glasses(proposals: Proposals) -> bool:
@@ -45,7 +47,20 @@ def _frame_in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> 
     rows, columns = np.ogrid[: labels.shape[0], : labels.shape[1]]
     above, below, aside = (share * apart for share in _BAND)
     band = (rows > y - above) & (rows < y + below) & (np.abs(columns - x) < aside)
-    return np.asarray(_pieces(labels == Label.ACCESSORY, band) & band, np.bool_)
+    return np.asarray((_pieces(labels == Label.ACCESSORY, band) | worn_before_face(labels)) & band, np.bool_)
+
+
+def worn_before_face(labels: NDArray[np.uint8]) -> Flags:
+    """Return the pixels (H, W) of what is worn before a face, without the scarf or the hat that it touches."""
+    found = np.zeros(labels.shape, np.uint8)
+    box, pieces, figures = connected_pieces(labels == Label.FACE_SKIN)
+    area = figures[:, cv2.CC_STAT_AREA]
+    if len(area) > 1:
+        large = np.flatnonzero(area[1:] >= _FACE_PIECE * area[1:].max()) + 1
+        down, across = np.nonzero(np.isin(pieces, large))
+        around = np.column_stack([across + box[1].start, down + box[0].start]).astype(np.int32)
+        cv2.fillConvexPoly(found, cv2.convexHull(around), 1)
+    return np.asarray((found > 0) & (labels == Label.ACCESSORY), np.bool_)
 
 
 def _frame_from_side(labels: NDArray[np.uint8]) -> Flags:

@@ -21,12 +21,12 @@ from cloner.hair.clothing.hoods import (
 )
 from cloner.hair.volumes.pictures import distances_px, fill_small_holes
 from cloner.hair.volumes.views import HairView
+from cloner.labels.glasses import worn_before_face
 from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
 from cloner.records.proposals import Proposals
 from cloner.vision.segmentation.colours import colour_ratio, quantise_colours
-from cloner.vision.segmentation.pieces import connected_pieces
 
 Bools = NDArray[np.bool_]
 
@@ -44,8 +44,6 @@ SEED_SHARE: Final = 0.2
 #: labels take for hair and scarves: .65, .98, 2.2 in three photos; four scarves, two beanies, a cap: .28 at most but
 #: in one photo.
 GOES_ON: Final = 0.5
-#: Pieces of a face smaller than this share of the largest are not the face.
-FACE_PIECE: Final = 0.2
 #: Log likelihood above which a colour is the cloth's: half of what is told to be other clothes may be cloth as well.
 #: Overlap with the true cloth, 17 covered heads: .903 at 0, .905 here and, worse in more of them, at -1.4.
 LEAN: Final = -0.7
@@ -173,7 +171,7 @@ def head_covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bool
         seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES, Label.HAIR)
     if not seed.any():
         return cloth
-    before = before_face(shown)
+    before = worn_before_face(shown)
     seed |= pieces_on((shown == Label.ACCESSORY) & ~before, place, 0.0)
     # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
     crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + size // 2
@@ -184,19 +182,6 @@ def head_covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bool
     whole = fill_small_holes(without_thin_gaps(alike | seed, size) & allowed)
     cloth[box] = pieces_on(without_thin_parts(whole, size), seed & alike, 0.0)
     return cloth
-
-
-def before_face(labels: NDArray[np.uint8]) -> Bools:
-    """Return the pixels (H, W) of what is worn before a face: glasses."""
-    found = np.zeros(labels.shape, np.uint8)
-    box, pieces, figures = connected_pieces(labels == Label.FACE_SKIN)
-    area = figures[:, cv2.CC_STAT_AREA]
-    if len(area) > 1:
-        large = np.flatnonzero(area[1:] >= FACE_PIECE * area[1:].max()) + 1
-        down, across = np.nonzero(np.isin(pieces, large))
-        around = np.column_stack([across + box[1].start, down + box[0].start]).astype(np.int32)
-        cv2.fillConvexPoly(found, cv2.convexHull(around), 1)
-    return np.asarray((found > 0) & (labels == Label.ACCESSORY), np.bool_)
 
 
 def looks_as(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], seed: Bools, apart: Bools, blur_px: float) -> Bools:

@@ -85,6 +85,19 @@ def test_the_frame_is_found_and_a_cap_is_none_of_it(cap):
     assert (glasses_frame(proposal) == drawn).all()
 
 
+def test_glasses_are_found_whose_temples_touch_a_scarf():
+    photo, proposal, _, _ = portrait()
+    face = cv2.ellipse(np.zeros((HEIGHT, WIDTH), np.uint8), (300, 400), (130, 190), 0, 0, 360, 1, -1) > 0
+    proposal.labels[~face] = Label.ACCESSORY
+    row = int(proposal.face_px[33, 1])
+    proposal.labels[row - 3 : row + 3, :] = Label.ACCESSORY
+    drawn = face & (photo.rgb == FRAME).all(axis=2)
+    found = glasses_frame(proposal)
+    assert drawn.any()
+    assert found[drawn].mean() > 0.97
+    assert not found[~face].any()
+
+
 def test_who_wears_a_cap_alone_wears_no_glasses():
     _, proposal, _, _ = portrait(cap=True)
     proposal.labels[250:] = Label.FACE_SKIN
