@@ -94,7 +94,7 @@ class Figure:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Look:
+class PersonEvidence:
     """What the pose net and the label net say of the person in a photo.
 
     Attributes
@@ -129,19 +129,19 @@ def find_figure(photo: Photo) -> Figure:
     except NobodySeen:
         pose = None
     face = frontal_face(photo)
-    look = _look(photo, pose, face)
-    if look is None or (photo.view.is_body and (look.is_cut or look.agreement < AGREED)):
-        second = _look(photo, _pose_of_undetected(photo), face)
-        if look is None or (second is not None and (look.is_cut or second.agreement > look.agreement)):
-            look = second
-    if look is None:
+    best = _person_evidence(photo, pose, face)
+    if best is None or (photo.view.is_body and (best.is_cut or best.agreement < AGREED)):
+        second = _person_evidence(photo, _pose_of_undetected(photo), face)
+        if best is None or (second is not None and (best.is_cut or second.agreement > best.agreement)):
+            best = second
+    if best is None:
         raise nobody_seen(photo)
-    pose = look.pose
+    pose = best.pose
     visibility = np.asarray(pose.visibility, dtype=np.float64)
-    return _figure(photo, pose.points_px, visibility, pose.mask, face, look.labels)
+    return _figure(photo, pose.points_px, visibility, pose.mask, face, best.labels)
 
 
-def _look(photo: Photo, pose: PoseResult | None, face: Face) -> Look | None:
+def _person_evidence(photo: Photo, pose: PoseResult | None, face: Face) -> PersonEvidence | None:
     """Return what both nets say of the person of a pose, None where next to nothing of the photo is one."""
     if pose is None:
         return None
@@ -153,7 +153,7 @@ def _look(photo: Photo, pose: PoseResult | None, face: Face) -> Look | None:
     person = labels.person(inside.shape)
     seen = person > 0.5
     agreement = float(np.count_nonzero(inside & seen) / np.count_nonzero(inside | seen))
-    return Look(pose, labels, agreement, is_cut_by_crop(person_crop(inside, photo.view), person))
+    return PersonEvidence(pose, labels, agreement, is_cut_by_crop(person_crop(inside, photo.view), person))
 
 
 def _pose_of_undetected(photo: Photo) -> PoseResult | None:
