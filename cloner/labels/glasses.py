@@ -13,7 +13,7 @@ from cloner.frames import ViewId
 from cloner.labels.states import State, eyes_span, read_states
 from cloner.records.labels import Label, shows
 from cloner.records.proposals import Proposal, Proposals
-from cloner.vision.segmentation.pieces import connected_pieces
+from cloner.vision.segmentation.pieces import connected_pieces, pieces_on
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.glasses")
@@ -47,7 +47,7 @@ def _frame_in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> 
     rows, columns = np.ogrid[: labels.shape[0], : labels.shape[1]]
     above, below, aside = (share * apart for share in _BAND)
     band = (rows > y - above) & (rows < y + below) & (np.abs(columns - x) < aside)
-    return np.asarray((_pieces(labels == Label.ACCESSORY, band) | worn_before_face(labels)) & band, np.bool_)
+    return np.asarray((pieces_on(labels == Label.ACCESSORY, band, _OWN) | worn_before_face(labels)) & band, np.bool_)
 
 
 def worn_before_face(labels: NDArray[np.uint8]) -> Flags:
@@ -74,12 +74,3 @@ def _frame_from_side(labels: NDArray[np.uint8]) -> Flags:
     kept = skin > _OWN * np.maximum(border, 1)
     kept[0] = False
     return np.asarray(kept[pieces] & worn, np.bool_)
-
-
-def _pieces(worn: Flags, band: Flags) -> Flags:
-    """Return the connected pieces that lie mostly in a band."""
-    _, pieces, stats, _ = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
-    inside = np.bincount(pieces[band], minlength=len(stats))
-    kept = inside > _OWN * stats[:, cv2.CC_STAT_AREA]
-    kept[0] = False
-    return np.asarray(kept[pieces], np.bool_)

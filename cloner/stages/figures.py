@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final, cast
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,7 +21,7 @@ from cloner.labels.evidence import LabelEvidence, label_evidence
 from cloner.labels.photo import label_photo
 from cloner.records.photos import Photo
 from cloner.vision.segmentation.masks import refine_mask
-from cloner.vision.segmentation.pieces import connected_pieces
+from cloner.vision.segmentation.pieces import largest_piece
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.figures")
@@ -101,16 +100,22 @@ class PersonEvidence:
     ----------
     pose : PoseResult
     labels : LabelEvidence
-    agreement : float
-        Intersection over union of the person by either net.
-    is_cut : bool
-        Whether the label net sees the person continue beyond where the pose net does.
+    person : (H, W) float32
+        Probability of the person by the label net.
     """
 
     pose: PoseResult
     labels: LabelEvidence
-    agreement: float
-    is_cut: bool
+    person: NDArray[np.float32]
+
+    def agreement(self) -> float:
+        """Return the intersection over union of the person by either net."""
+        inside, seen = self.pose.mask > 0.5, self.person > 0.5
+        return float(np.count_nonzero(inside & seen) / np.count_nonzero(inside | seen))
+
+    def is_cut(self, view: ViewId) -> bool:
+        """Return whether the label net sees the person continue beyond where the pose net does."""
+        return is_cut_by_crop(person_crop(self.pose.mask > 0.5, view), self.person)
 
 
 def find_figure(photo: Photo) -> Figure:
@@ -130,15 +135,15 @@ def find_figure(photo: Photo) -> Figure:
         pose = None
     face = frontal_face(photo)
     best = _person_evidence(photo, pose, face)
-    if best is None or (photo.view.is_body and (best.is_cut or best.agreement < AGREED)):
+    if best is None or (photo.view.is_body and (best.is_cut(photo.view) or best.agreement() < AGREED)):
         second = _person_evidence(photo, _pose_of_undetected(photo), face)
-        if best is None or (second is not None and (best.is_cut or second.agreement > best.agreement)):
+        if best is None or (second is not None and (best.is_cut(photo.view) or second.agreement() > best.agreement())):
             best = second
     if best is None:
         raise nobody_seen(photo)
     pose = best.pose
     visibility = np.asarray(pose.visibility, dtype=np.float64)
-    return _figure(photo, pose.points_px, visibility, pose.mask, face, best.labels)
+    return _figure(photo, pose.points_px, visibility, pose.mask, face, best.labels, best.person)
 
 
 def _person_evidence(photo: Photo, pose: PoseResult | None, face: Face) -> PersonEvidence | None:
@@ -150,10 +155,7 @@ def _person_evidence(photo: Photo, pose: PoseResult | None, face: Face) -> Perso
     if float(inside.mean()) < LEAST_PERSON:
         return None
     labels = _label_person(photo, pose.mask, pose.points_px, face)
-    person = labels.person(inside.shape)
-    seen = person > 0.5
-    agreement = float(np.count_nonzero(inside & seen) / np.count_nonzero(inside | seen))
-    return PersonEvidence(pose, labels, agreement, is_cut_by_crop(person_crop(inside, photo.view), person))
+    return PersonEvidence(pose, labels, labels.person(inside.shape))
 
 
 def _pose_of_undetected(photo: Photo) -> PoseResult | None:
@@ -183,8 +185,9 @@ def _figure(
     rough: NDArray[np.float32],
     face: Face,
     looks: LabelEvidence,
+    labelled: NDArray[np.float32],
 ) -> Figure:
-    """Return the figure of a person whose rough mask (H, W) is known.
+    """Return the figure of a person whose rough masks (H, W) by both nets are known.
 
     Raises
     ------
@@ -192,7 +195,6 @@ def _figure(
         If next to nothing of the photo is the person.
     """
     shown = _is_face_shown(face)
-    labelled = looks.person(rough.shape)
     rough = merge_masks(rough, labelled) if photo.view.is_face else veto_by_labels(rough, labelled)
     mask = refine_mask(photo.rgb, rough, pose_px if photo.view.is_body and visibility.any() else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
@@ -232,7 +234,8 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
     rows, columns = np.nonzero(mask > 0.5)
     pose = np.tile(np.array([columns.mean(), rows.mean()]), (33, 1))
     face = frontal_face(photo)
-    return _figure(photo, pose, np.zeros(33), mask, face, _label_person(photo, mask, pose, face))
+    looks = _label_person(photo, mask, pose, face)
+    return _figure(photo, pose, np.zeros(33), mask, face, looks, looks.person(mask.shape))
 
 
 def _label_mask(photo: Photo) -> NDArray[np.float32]:
@@ -244,9 +247,7 @@ def _label_mask(photo: Photo) -> NDArray[np.float32]:
     features = DETECTORS.get("label_features")
     rough = label_evidence(photo.rgb, seen, photo.view, features).rough_person(seen.shape) > 0.5
     if rough.any():
-        box, pieces, figures = connected_pieces(rough)
-        seen = np.zeros_like(rough)
-        seen[box] = pieces == 1 + figures[1:, cv2.CC_STAT_AREA].argmax()
+        seen = largest_piece(rough)
     return label_evidence(photo.rgb, seen, photo.view, features).person(seen.shape)
 
 

@@ -6,7 +6,6 @@ import itertools
 from dataclasses import dataclass
 from typing import Final
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
@@ -25,7 +24,7 @@ from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.proposals import Proposal
 from cloner.vision.contours.snake import normals, sample_along_normals, snake_picture
-from cloner.vision.segmentation.pieces import connected_pieces
+from cloner.vision.segmentation.pieces import box_around, largest_piece
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_side")
@@ -142,9 +141,10 @@ def _searched_masks(proposal: Proposal) -> list[NDArray[np.uint8]]:
     worn = proposal.labels == Label.ACCESSORY
     masks = [proposal.mask]
     if worn.any():
-        box, pieces, figures = connected_pieces(proposal.person() & ~worn)
-        if len(figures) > 1:
-            bare = binary_fill_holes(pieces == 1 + int(np.argmax(figures[1:, cv2.CC_STAT_AREA])))
+        piece = largest_piece(proposal.person() & ~worn)
+        if piece.any():
+            box = box_around(piece)
+            bare = binary_fill_holes(piece[box])
             masks.append(np.zeros_like(proposal.mask))
             masks[1][box] = np.where(bare, np.maximum(proposal.mask[box], 128), 0)
     return masks

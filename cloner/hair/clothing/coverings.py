@@ -14,7 +14,6 @@ from cloner.frames import ViewId
 from cloner.hair.clothing.hoods import (
     HOOD,
     hood_pixels,
-    pieces_on,
     visible_scalp,
     without_thin_gaps,
     without_thin_parts,
@@ -27,6 +26,7 @@ from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
 from cloner.records.proposals import Proposals
 from cloner.vision.segmentation.colours import colour_ratio, quantise_colours
+from cloner.vision.segmentation.pieces import pieces_on
 
 Bools = NDArray[np.bool_]
 

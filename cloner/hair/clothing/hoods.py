@@ -15,7 +15,7 @@ from cloner.hair.volumes.pictures import distances_px
 from cloner.hair.volumes.views import HairView, covered_by_surface
 from cloner.records.arrays import Array
 from cloner.records.labels import GARMENTS, Label, shows
-from cloner.vision.segmentation.pieces import connected_pieces
+from cloner.vision.segmentation.pieces import pieces_on
 
 GLASSES = 0.04  # taste: of the scalp's longer side, some 7 mm: frames of glasses are thinner
 HOOD = 0.5  # of the scalp that photos show clothed
@@ -84,17 +84,6 @@ def without_thin_gaps(worn: NDArray[np.bool_], scalp_px: int) -> NDArray[np.bool
 def _thin(scalp_px: int) -> NDArray[np.uint8]:
     side = 2 * int(np.ceil(0.5 * GLASSES * scalp_px)) + 1
     return np.ones((side, side), np.uint8)
-
-
-def pieces_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
-    """Return the components (H, W) with more than a share of their area on a region."""
-    box, pieces, figures = connected_pieces(clothed)
-    inside = np.bincount(pieces[place[box]], minlength=len(figures))
-    most = inside > share * figures[:, cv2.CC_STAT_AREA]
-    most[0] = False
-    found = np.zeros(clothed.shape, np.bool_)
-    found[box] = most[pieces]
-    return found
 
 
 def visible_scalp(view: HairView, scalp_m: Array, normals: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:

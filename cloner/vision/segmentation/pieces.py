@@ -39,3 +39,23 @@ def connected_pieces(mask: NDArray[np.bool_] | NDArray[np.uint8]) -> tuple[Box, 
     figures[:, cv2.CC_STAT_LEFT] += box[1].start
     figures[:, cv2.CC_STAT_TOP] += box[0].start
     return box, np.asarray(pieces, np.int32), np.asarray(figures, np.int32)
+
+
+def pieces_on(mask: NDArray[np.bool_], place: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
+    """Return the components (H, W) of a mask with more than a share of their area on a region (H, W)."""
+    box, pieces, figures = connected_pieces(mask)
+    inside = np.bincount(pieces[place[box]], minlength=len(figures))
+    most = inside > share * figures[:, cv2.CC_STAT_AREA]
+    most[0] = False
+    found = np.zeros(mask.shape, np.bool_)
+    found[box] = most[pieces]
+    return found
+
+
+def largest_piece(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the largest component (H, W) of a mask; nothing of an empty one."""
+    box, pieces, figures = connected_pieces(mask)
+    found = np.zeros(mask.shape, np.bool_)
+    if len(figures) > 1:
+        found[box] = pieces == 1 + figures[1:, cv2.CC_STAT_AREA].argmax()
+    return found
